@@ -1,15 +1,19 @@
 #include "answers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <utility>
 #include <variant>
 
+#include "../core/projects.hpp"
+#include "../stream/file.hpp"
 #include "../stream/header_line.hpp"
 #include "../stream/io_block.hpp"
 #include "../stream/number_text.hpp"
 #include "../stream/run.hpp"
 #include "column_names.hpp"
+#include "row_options.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -55,13 +59,20 @@ struct Attempt {
 
 /// Whether the rows have names that are not those of the attitude: that they are as many as its numbers proves nothing.
 bool has_other_names(const stream::InputOptions& input, std::string_view text) {
-    while (!text.empty() && input.columns.empty() && input.numbers.attitude) {
+    bool has_names = false;
+    while (!text.empty() && input.columns.empty() && input.columns_of) {
         const stream::Line line = stream::next_line(text);
-        if (input.is_row(line.text)) {
-            const stream::HeaderLine header(line, input.delimiter.value_or(stream::Delimiter::of_row(line.text)));
-            return std::ranges::none_of(header.fields, stream::is_number) &&
-                   !find_names(*input.numbers.attitude, header.names());
+        const stream::HeaderLine header(line, input.delimiter.value_or(stream::Delimiter::of_row(line.text)));
+        if (!input.is_row(line.text)) {
+            continue;
         }
+        if (std::ranges::any_of(header.fields, stream::is_number)) {
+            return has_names;
+        }
+        if (input.columns_of(header.names()).are_known) {
+            return false;
+        }
+        has_names = true;
     }
     return false;
 }
@@ -69,6 +80,7 @@ bool has_other_names(const stream::InputOptions& input, std::string_view text) {
 /// What came of an attempt.
 struct Outcome {
     bool serves = false;
+    bool has_other_names = false;           ///< in its header
     bool is_tried = false;                  ///< on the first rows
     std::vector<std::vector<Mend>> mends{}; ///< otherwise: the first group of which one serves counts
 };
@@ -96,7 +108,8 @@ Outcome outcome_of(const RowsCommand& command, const std::string& text, bool who
     }
     const auto ending = stream::run(source, nullptr, options, take, reference ? &*reference : nullptr);
     if (ending.answered > 0 && (!whole || (!ending.error && !wrong))) {
-        return {.serves = true, .is_tried = command.has_values || !has_other_names(options.input, text)};
+        const bool has_others = !command.has_values && has_other_names(options.input, text);
+        return {.serves = true, .has_other_names = has_others, .is_tried = !has_others};
     }
     using What = stream::StreamError::What;
     if (command.has_values || options.input.width > 0 || (wrong && wrong->place.is_in_reference())) {
@@ -131,10 +144,44 @@ Outcome outcome_of(const Attempt& attempt, bool whole = false) {
     }
 }
 
+/// The words with the name of the file that stdin is, if they name no input.
+std::vector<std::string> with_input(std::vector<std::string> words) {
+    const auto is_input = [&words](const std::string& word) {
+        const bool is_argument = &word != words.data() && (&word)[-1].starts_with('-');
+        return stream::File::is_regular(word.c_str()) || (!is_argument && stream::is_number(word));
+    };
+    const std::string name = stream::File::name_of_input();
+    const auto dash = std::ranges::find(words, "-");
+    if (name.empty() || !stream::File::is_regular(name.c_str())) {
+        return words;
+    }
+    if (dash != words.end()) {
+        *dash = name;
+    } else if (std::ranges::none_of(words, is_input)) {
+        words.insert(std::ranges::find(words, "--"), name);
+    }
+    return words;
+}
+
+/// The options that take the axes of the project after --from to those of the one after --to.
+std::vector<std::string> axes_of_projects(const std::vector<std::string>& words) {
+    std::array<const Project*, 2> projects{};
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::size_t which = words[i - 1] == "-f" || words[i - 1] == "--from" ? 0
+                                  : words[i - 1] == "-t" || words[i - 1] == "--to" ? 1
+                                                                                   : 2;
+        for (const std::string_view part : which < 2 ? split(words[i], ':') : std::vector<std::string_view>()) {
+            const Project* const project = find_project(part);
+            projects.at(which) = project != nullptr ? project : projects.at(which);
+        }
+    }
+    return words_in(projects[0] != nullptr && projects[1] != nullptr ? change_of_axes(*projects[0], *projects[1]) : "");
+}
+
 /// Follows mends, one after the other.
 class Search {
 public:
-    explicit Search(const Attempt& wrong) { follow(wrong, 0); }
+    explicit Search(const Attempt& wrong) : axes_(axes_of_projects(wrong.words)) { follow(wrong, 0); }
 
     std::vector<std::string> found{}; ///< commands
 
@@ -144,13 +191,15 @@ private:
     static constexpr int deepest = 10;
 
     // NOLINTNEXTLINE(misc-no-recursion): as deep as mends that follow each other
-    void follow(const Attempt& attempt, int depth) {
+    void follow(const Attempt& attempt, int depth, bool is_choice = false) {
         if (depth > deepest || found.size() == most_found || --left_ < 0) {
             return;
         }
         const Outcome outcome = outcome_of(attempt, depth == deepest);
-        if (outcome.serves && depth > 0) {
-            const std::string command = attempt.command();
+        if (outcome.serves && depth > 0 && !(is_choice && outcome.has_other_names)) {
+            Attempt whole = attempt;
+            whole.words.insert(std::ranges::find(whole.words, "--"), axes_.begin(), axes_.end());
+            const std::string command = (outcome_of(whole).serves ? whole : attempt).command();
             if (command.size() + std::string_view("try: ").size() <= longest && shown(command) == command &&
                 std::ranges::count(found, command) == 0) {
                 found.push_back(command);
@@ -163,7 +212,8 @@ private:
                 if (!mend.order.empty() && !outcome_of(attempt.after(mend, false)).serves) {
                     continue;
                 }
-                follow(attempt.after(mend), outcome.is_tried ? deepest : depth + 1); // rows have no second mend
+                // rows have no second mend
+                follow(attempt.after(mend), outcome.is_tried ? deepest : depth + 1, is_choice || group->size() > 1);
             }
             if (found.size() > before) {
                 break;
@@ -171,7 +221,8 @@ private:
         }
     }
 
-    int left_ = 100; ///< attempts
+    std::vector<std::string> axes_; ///< options for all
+    int left_ = 100;                ///< attempts
 };
 
 } // namespace
@@ -195,8 +246,11 @@ std::string answers(const std::vector<std::string>& words, std::optional<std::st
     if (std::ranges::any_of(words, [](const std::string& word) { return word.find(raw_word) != std::string::npos; })) {
         return lines;
     }
-    for (const std::string& command :
-         Search({words, "", beginning ? std::optional(std::string(*beginning)) : std::nullopt}).found) {
+    Attempt wrong{with_input(words)};
+    if (wrong.words == words && beginning) {
+        wrong.text = std::string(*beginning);
+    }
+    for (const std::string& command : Search(wrong).found) {
         lines += fmt::format("try: {}\n", command);
     }
     return lines;

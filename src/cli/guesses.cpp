@@ -141,6 +141,16 @@ Words meant_specs(const std::string& text, const SpecError& error) {
     return error.what == What::meaningless_modifier && plain_name(error.text) != "deg" ? Words() : specs;
 }
 
+/// With the project as its modifier, where that means the same, for it says more.
+std::string with_project(const std::string& spec, const Project& project) {
+    const auto parsed = parse_spec(spec);
+    const auto named = parse_spec(fmt::format("{}:{}", spec.substr(0, spec.find(':')), project.text));
+    const auto* const own = std::get_if<Spec>(&parsed);
+    const auto* const other = std::get_if<Spec>(&named);
+    const bool is_same = own != nullptr && other != nullptr && own->text() == other->text();
+    return is_same ? fmt::format("{}:{}", representation(own->name).text, project.text) : spec;
+}
+
 /// The SPECs of a project that has several; a list of columns may stand behind one.
 Words specs_of(const Project& project) {
     Words specs;
@@ -148,7 +158,7 @@ Words specs_of(const Project& project) {
         const std::string_view item = rest.substr(0, rest.find("; "));
         rest.remove_prefix(std::min(item.size() + 2, rest.size()));
         const std::string_view columns = item.substr(std::min(item.find(" --columns "), item.size()));
-        specs.push_back(std::string(item.substr(0, item.find(' '))).append(columns));
+        specs.push_back(with_project(std::string(item.substr(0, item.find(' '))), project).append(columns));
     }
     return specs;
 }
@@ -279,11 +289,14 @@ Usage no_such_option(const OptionSet& options) {
     if (options.words[options.unknown_place.word].starts_with(name)) { // no letter among others
         const Replaced replaced(options, options.unknown_place.word);
         const auto names = mapped(options.all(), &Option::name);
-        const auto begun = filtered(names, [&](std::string_view each) { return each.starts_with(name); });
+        const auto begun = filtered(names, [&](std::string_view each) { // --inv, not --time of --time-unit
+            return each.size() > name.size() && each.starts_with(name) && each[name.size()] != '-';
+        });
         const Words near = begun.size() == 1  ? Words{std::string(begun[0])}
                            : is_command(bare) ? Words{bare}
                                               : nearest(name, names);
-        for (const Words& texts : {meant(others.empty() && bare.size() == 1 ? bare : name, names), near}) {
+        const Words first = begun.size() == 1 ? near : meant(others.empty() && bare.size() == 1 ? bare : name, names);
+        for (const Words& texts : {first, near}) {
             for (const std::string& each : mends.empty() ? texts : Words()) {
                 add(mends, each == name ? std::vector<Mend>() : replaced.by(each));
             }
@@ -370,7 +383,9 @@ std::string explain(const SpecError& error) {
     std::string said = message(SpecError{error.what, shortened(error.text), error.in});
     if (error.what == What::unknown_name && project != nullptr) {
         const std::string_view mark = project->specs.empty() || project->remark.empty() ? "" : "; ";
-        return fmt::format("{} is no SPEC: {}{}{}", project->text, project->specs, mark, project->remark);
+        return fmt::format("{} {}{}{}{}", project->text,
+                           project->specs.empty() ? "has no SPEC: " : "has several SPECs: ", project->specs, mark,
+                           project->remark);
     }
     if (error.what == What::meaningless_modifier) {
         return fmt::format("{} (legal: {} and the presets of rotconv list presets)", said,
@@ -395,15 +410,16 @@ Usage no_such_spec(const Option& option, const std::string& item, const SpecErro
         }
     }
     const bool is_known = find_project(error.text) != nullptr || find_meaning(error.text) != nullptr;
-    const std::string_view where =
-        is_known                               ? ""
+    const std::string where =
+        project != nullptr                     ? fmt::format("; see rotconv list {}", project->text)
+        : is_known                             ? ""
         : error.what == What::unknown_name     ? "; rotconv list has them, rotconv list projects those of programs"
         : error.what == What::unknown_sequence ? "; it has three letters, neighbours different; rotconv list euler "
                                                  "explains them"
         : error.what == What::unknown_modifier ? "; rotconv list NAME and rotconv list presets have them"
                                                : "";
-    Usage usage = Usage("{} {}: {}", option.name(), quoted(option.text()), explain(error))
-                      .with(std::move(mends), std::string(where));
+    Usage usage =
+        Usage("{} {}: {}", option.name(), quoted(option.text()), explain(error)).with(std::move(mends), where);
     usage.is_choice = project != nullptr && option.name() == "--from";
     return usage;
 }

@@ -194,8 +194,8 @@ private:
 };
 
 /// The first of the texts that is a change of axes, as an option; nothing where the axes stay as they are.
-std::string change_of_axes(std::string_view option,
-                           std::initializer_list<std::pair<std::string_view, std::string_view>> pairs) {
+std::string first_change(std::string_view option,
+                         std::initializer_list<std::pair<std::string_view, std::string_view>> pairs) {
     for (const auto& [from, to] : pairs) {
         const std::string change = fmt::format("{}:{}", from, to);
         if (std::holds_alternative<AxesChange>(parse_axes(change))) {
@@ -205,7 +205,7 @@ std::string change_of_axes(std::string_view option,
     return "";
 }
 
-/// The options that change the axes of --from's project to those of --to's, if no option changes axes.
+/// See change_of_axes(); nothing where an option changes axes.
 std::string axes_options(const RowOptions& options) {
     if (options.reference_axes.given() || options.body_axes.given() || options.left.given() || options.right.given()) {
         return "";
@@ -216,18 +216,18 @@ std::string axes_options(const RowOptions& options) {
     };
     const Project* const from = project_of(options.from);
     const Project* const to = project_of(options.to);
-    if (from == nullptr || to == nullptr) {
-        return "";
-    }
-    // Reference axes that no option can take to others, such as right, up, forward to east, north, up, are those of a
-    // body.
-    return change_of_axes(
-               options.reference_axes.name(),
-               {{from->reference, to->reference}, {from->reference, to->body}, {from->body, to->reference}}) +
-           change_of_axes(options.body_axes.name(), {{from->body, to->body}});
+    return from == nullptr || to == nullptr ? "" : change_of_axes(*from, *to);
 }
 
 } // namespace
+
+std::string change_of_axes(const Project& from, const Project& to) {
+    // Reference axes that no option can take to others, such as right, up, forward to east, north, up, are those of a
+    // body.
+    return first_change("--reference-axes",
+                        {{from.reference, to.reference}, {from.reference, to.body}, {from.body, to.reference}}) +
+           first_change("--body-axes", {{from.body, to.body}});
+}
 
 void read_names(const RowOptions& options, const Option& time_option, bool names_decide, const std::string& key,
                 stream::InputOptions& input) {

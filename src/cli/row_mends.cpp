@@ -70,8 +70,9 @@ public:
         if (at_ >= rows_.size()) {
             return {};
         }
-        if (const auto first = std::ranges::find_if(rows_, &Row::has_numbers); first != rows_.end()) {
-            offer_columns(static_cast<std::size_t>(first - rows_.begin()));
+        const auto first = std::ranges::find_if(rows_, &Row::has_numbers);
+        if (first != rows_.end() && !offer_columns(static_cast<std::size_t>(first - rows_.begin()))) {
+            return std::move(mends_); // what is read by index would be against the names
         }
         const std::string_view line = rows_[at_].line.text;
         if (line.find('\t') != std::string_view::npos && line.find(' ') != std::string_view::npos) {
@@ -79,6 +80,7 @@ public:
         }
         const auto mark = line.substr(0, line.find_first_not_of("/%!*;|"));
         offer({setting("--comment", mark.empty() ? "COMMENT" : std::string(mark))});
+        offer_matrices();
         offer_kinds();
         offer_text("", std::string(text_));
         for (std::size_t i = rows_.size();
@@ -107,16 +109,17 @@ private:
     }
 
     /// Offers columns: by the names above the row; the only numbers among its fields; a matrix of 3x4 or 4x4; or those
-    /// that are a unit quaternion, whose order is not known.
-    void offer_columns(std::size_t row) {
+    /// that are a unit quaternion, whose order is not known. False if the names are those of other columns than the
+    /// row has.
+    bool offer_columns(std::size_t row) {
         const auto& fields = rows_[row].fields;
         const bool is_alone = spec_ && spec_->size() == count_;
         for (std::size_t i = row; is_alone && i-- > 0;) {
             const auto names = (rows_[i].is_row ? rows_[i] : rows_[i].without_mark()).names();
-            if (const auto known = names.size() == fields.size() ? find_names(*spec_, names) : std::nullopt) {
+            if (const auto known = find_names(*spec_, names)) {
                 const auto found = known->of(names);
                 offer({setting("--columns", std::ranges::all_of(found, is_plain) ? joined(found) : known->columns())});
-                return;
+                return names.size() == fields.size();
             }
         }
         const std::string numbers = numbers_among(fields);
@@ -133,6 +136,7 @@ private:
                 }
             }
         }
+        return true;
     }
     /// The fields that are numbers, as a LIST, if others are not and they are as many as are wanted; empty if not.
     [[nodiscard]] std::string numbers_among(const std::vector<std::string_view>& fields) const {
@@ -164,6 +168,9 @@ private:
         }
         for (const Filter& filter : filters) {
             const std::string command(filter.command);
+            if (filter.to == '.' && text.find('.') != std::string::npos) {
+                continue;
+            }
             offer_made(pipe.empty() ? command : pipe, filter.of(text), pipe.empty() ? "" : " | " + command);
         }
     }
@@ -184,6 +191,29 @@ private:
                    std::string(text_.substr(place(rows_[begin]), size)));
     }
 
+    /// Offers matrices, perhaps of 3x4 or 4x4, of which each row is a line.
+    void offer_matrices() {
+        const auto lines = filtered(rows_, [](const Row& row) { return !stream::is_blank(row.line.text); });
+        const std::size_t width = lines.empty() ? 0 : lines[0].fields.size();
+        const auto is_like_first = [&](const Row& row) { return row.has_numbers && row.fields.size() == width; };
+        const bool is_whole = width == 4 && lines.size() > 3 && lines[3].fields[0] == "0" && lines[3].fields[1] == "0";
+        const std::size_t height = is_whole ? 4 : 3;
+        if (!spec_ || spec_->name != RepresentationId::dcm || (width != 3 && width != 4) ||
+            lines.size() % height != 0 || !std::ranges::all_of(lines, is_like_first)) {
+            return;
+        }
+        const bool is_comma = lines[0].delimiter.text() == ',';
+        std::string made;
+        std::string command = is_comma ? "paste -d ," : "paste -d ' '";
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            command += i < height ? " -" : "";
+            made += std::string(lines[i].line.text) + (i % height + 1 == height ? '\n' : is_comma ? ',' : ' ');
+        }
+        const auto columns =
+            width == 4 ? std::vector{setting("--columns", "1-3,5-7,9-11")} : std::vector<std::optional<Edit>>();
+        offer(columns, "grep .", made, " | " + command);
+    }
+
     /// Offers rows that begin with the name of their kind, for each of several kinds.
     void offer_kinds() {
         std::vector<std::string> kinds;
@@ -194,6 +224,10 @@ private:
                 kinds.emplace_back(name);
             }
         }
+        std::erase_if(kinds, [this](const std::string& kind) { // of a single row
+            return std::ranges::count_if(rows_, [&kind](const Row& row) { return row.line.text.starts_with(kind); }) <
+                   2;
+        });
         for (const std::string& kind :
              kinds.size() < 2 || kinds.size() > most_kinds ? std::vector<std::string>() : kinds) {
             std::string rows;

@@ -140,6 +140,9 @@ struct RowOptions : CommandOptions {
     void refuse_values(std::string_view command) const;
 };
 
+/// The options that take the axes of one project to those of another, in notes.cpp; empty where they are the same.
+[[nodiscard]] std::string change_of_axes(const Project& from, const Project& to);
+
 /// Has the input tell what its header says against how its numbers are read, by names and units; in notes.cpp.
 /// @param time_option which names the unit of its times
 /// @param names_decide numbers are what their names say, unless their columns are selected by index

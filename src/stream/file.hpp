@@ -73,6 +73,8 @@ public:
     [[nodiscard]] bool is_regular() const noexcept;
     /// Asked before it is opened: to open a pipe is to wait for its writer.
     [[nodiscard]] static bool is_regular(const char* path) noexcept;
+    /// The name of the regular file that stdin is, from the folder of the program on, where the system tells it.
+    [[nodiscard]] static std::string name_of_input();
     /// Whether a file of that name, or "-", would miss bytes read here: a pipe, socket or terminal, or both stdin.
     [[nodiscard]] bool shares_bytes(const char* path) const noexcept;
     /// Bytes of a regular file; 0 for anything else.

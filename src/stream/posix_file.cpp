@@ -78,6 +78,18 @@ bool File::is_regular(const char* path) noexcept {
     return ::stat(path, &status) == 0 && S_ISREG(status.st_mode);
 }
 
+std::string File::name_of_input() { // Linux has these links
+    std::string name(4096, '\0');
+    std::string folder(4096, '\0');
+    const ssize_t size = ::readlink("/proc/self/fd/0", name.data(), name.size());
+    if (size <= 0 || !is_regular("/proc/self/fd/0") || ::getcwd(folder.data(), folder.size()) == nullptr) {
+        return {};
+    }
+    name.resize(static_cast<std::size_t>(size));
+    folder.resize(folder.find('\0'));
+    return name.starts_with(folder + '/') ? name.substr(folder.size() + 1) : name;
+}
+
 bool File::shares_bytes(const char* path) const noexcept {
     struct stat mine {};
     struct stat other {};

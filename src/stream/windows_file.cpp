@@ -70,6 +70,8 @@ bool File::is_regular() const noexcept { return type_of(descriptor_) == FILE_TYP
 
 bool File::is_regular(const char* path) noexcept { return File(path, Mode::read).is_regular(); }
 
+std::string File::name_of_input() { return {}; }
+
 bool File::shares_bytes(const char* path) const noexcept { return std::string_view(path) == "-" && descriptor_ == 0; }
 
 std::size_t File::size() const noexcept {
