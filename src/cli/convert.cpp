@@ -97,8 +97,8 @@ std::optional<std::pair<std::string, std::vector<stream::Note>>> row_of_text(std
         if (fields.size() != count || !std::ranges::all_of(fields, stream::is_number)) {
             return std::nullopt;
         }
-        values.notes.insert(values.notes.begin(), {stream::Note::Kind::text, "the input is one attitude, no rows of "
-                                                                             "numbers, and is read as VALUEs are"});
+        values.notes.insert(values.notes.begin(), {stream::Note::Kind::text, "the input is one attitude, not rows of "
+                                                                             "numbers, and is read like VALUEs"});
         return std::pair(std::move(values.row), std::move(values.notes));
     } catch (const Usage&) {
         return std::nullopt;

@@ -92,8 +92,8 @@ public:
         if (said.passed > 0) {
             const bool is_one = said.passed == 1;
             return {{Kind::passed, fmt::format("{} before the first row {}: {}", counted(said.passed, "line"),
-                                               is_one ? "is not a row, and passes as it is"
-                                                      : "are not rows, and pass as they are; the first is",
+                                               is_one ? "is not a row and passes through unchanged"
+                                                      : "are not rows and pass through unchanged; the first is",
                                                quoted(said.comment))}};
         }
         if (said.only_header) {

@@ -147,10 +147,11 @@ public:
         if (!is_new || command_->diagnostics == ShowDiagnostics::off) {
             return;
         }
-        if (note.place.line == 0) {
-            print_error(note.text);
-        } else {
-            tell({note.kind == stream::Note::Kind::comments ? 0 : note.place.line, note.place.side}, note.text);
+        const std::size_t line = note.kind == stream::Note::Kind::comments ? 0 : note.place.line;
+        const std::string message =
+            note.place.line == 0 ? note.text : told({.line = line, .side = note.place.side}, note.text);
+        if (told_notes_.insert(message).second) { // FILE and REFERENCE may be the same
+            print_error(message);
         }
     }
 
@@ -242,7 +243,8 @@ private:
     std::optional<stream::RowError> last_error_{};
     std::map<std::pair<stream::Side, DiagnosticKind>, Count> counts_;
     std::set<std::pair<stream::Note::Kind, stream::Side>> notes_; ///< that were met
-    std::array<std::size_t, 2> failed_{};                         ///< see RowsResult
+    std::set<std::string> told_notes_;
+    std::array<std::size_t, 2> failed_{}; ///< see RowsResult
 };
 
 /// The input, and the reference if there is one, up to the first that cannot be opened: errno says why.

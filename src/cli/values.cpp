@@ -67,7 +67,7 @@ bool is_aside(const std::string& label) { return is(WordKind::aside, name_in(lab
 
 void refuse_operation(const std::string& label) {
     if (is_operation(label)) {
-        refuse("{} says that something is done to the numbers, which is not", quoted(label));
+        refuse("{} names an operation, which is not carried out", quoted(label));
     }
 }
 

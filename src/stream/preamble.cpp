@@ -219,7 +219,9 @@ bool Preamble::read_as_one(IoBlock& block, Output& output) {
     block.text = {block.bytes.data(), block.bytes.size()};
     block.first_line = 1;
     has_row_ = true;
-    const HeaderLine row({block.text, {}}, options_->delimiter.value_or(Delimiter::of_row(block.text)));
+    std::string_view text = held_;
+    const HeaderLine row({block.text, next_line(text).end},
+                         options_->delimiter.value_or(Delimiter::of_row(block.text)));
     set_layout(&row, 1, output);
     held_.clear();
     return true;
