@@ -270,7 +270,9 @@ std::optional<std::vector<std::string>> only_answer(const std::vector<std::strin
     std::optional<std::vector<std::string>> only;
     for (const Mend& mend : mends) {
         const Attempt attempt = Attempt{words}.after(mend);
-        const Outcome outcome = outcome_of(Attempt{words}.after(mend, false));
+        Attempt tried = Attempt{words}.after(mend, false);
+        tried.words = with_input(tried.words);
+        const Outcome outcome = outcome_of(tried);
         if (outcome.serves && outcome.is_tried) {
             if (only) {
                 return std::nullopt;

@@ -110,7 +110,7 @@ std::vector<Spelling> spellings_of(const Part& part) {
     } else if (spec.name == dcm) {
         add("11 12 13 21 22 23 31 32 33");
         add("00 01 02 10 11 12 20 21 22");
-    } else if (has_axes) {
+    } else if (has_axes && (spec.project == nullptr || spec.project->body.empty() || spec.project->body[0] == 'f')) {
         const bool decides = !spec.sequence.proper() && places[1] == 1; // roll is about x, and pitch about y
         for (const std::string_view roll : {"roll", "bank"}) {
             for (const std::string_view yaw : {"yaw", "heading", "azimuth"}) {
@@ -352,10 +352,16 @@ std::vector<KnownNames> all_sets(const Part& part, std::span<const std::string> 
 } // namespace
 
 std::optional<KnownNames> find_names(const Part& part, std::span<const std::string> names) {
-    const auto sets = all_sets(part, names);
+    auto sets = all_sets(part, names);
     const auto best = std::ranges::min_element(
         sets, {}, [](const KnownNames& set) { return std::pair(!set.decides, std::ranges::min(set.places)); });
-    return best == sets.end() ? std::nullopt : std::optional(*best);
+    if (best == sets.end()) {
+        return std::nullopt;
+    }
+    if (!best->decides) {
+        std::ranges::sort(best->places); // as the columns stand
+    }
+    return *best;
 }
 
 namespace {
@@ -463,9 +469,6 @@ RowNames names_of_row(const std::vector<Part>& parts, std::vector<std::string> n
     std::size_t next = 0; // of the columns in no set
     for (std::size_t k = 0; k < parts.size(); ++k) {
         auto places = row.sets[k] ? row.sets[k]->places : std::vector<std::size_t>();
-        if (row.sets[k] && !row.sets[k]->decides) {
-            std::ranges::sort(places);
-        }
         for (; places.size() < parts[k].names.size(); ++next) {
             if (is_free[next]) {
                 places.push_back(next);
