@@ -30,7 +30,7 @@ using rotconv::batch_rows;
 using rotconv::KernelTable;
 using rotconv::Spec;
 
-constexpr std::size_t all_rows = tried(300'000); // half of them with numbers of sizes that take 50 us a row
+constexpr std::size_t all_rows = tried(100'000); // half of them with numbers of sizes that take 50 us a row and more
 
 bool has_fma() { return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0; }
 

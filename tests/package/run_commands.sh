@@ -46,7 +46,7 @@ serve() {
     while IFS= read -r tried <&3; do
         command -v "${tried%% *}" > /dev/null || continue
         served=0
-        timeout 20 bash -c "$before$tried" > "$work/out" 2> "$work/errors" < /dev/null || served=$?
+        timeout 3 bash -c "$before$tried" > "$work/out" 2> "$work/errors" < /dev/null || served=$?
         { [ "$served" -lt 2 ] && [ -s "$work/out" ]; } || [ "$served" -eq 124 ] || sed 's/^/# /' "$work/errors" >> "$work/printed"
     done 3< "$work/tries"
 }
