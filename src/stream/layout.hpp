@@ -21,9 +21,11 @@ struct Layout {
     bool is_whole = true;        ///< a row is its numbers and nothing else: nothing is selected
     /// Positions of the fields that hold the numbers, in the order of the operation's; empty: 0, 1, 2...
     std::vector<std::size_t> positions{};
-    /// The number that field `first_field` + i holds, if the selected fields are adjacent and the kept ones (see
-    /// RowNumbers) come first; otherwise empty.
+    static constexpr auto no_number = static_cast<std::size_t>(-1);
+    /// The number that field `first_field` + i holds, or none, up to the last selected field, if the kept ones (see
+    /// RowNumbers) come first, side by side; otherwise empty.
     std::vector<std::size_t> number_of_field{};
+    bool is_scattered = false; ///< some of these hold none
     std::size_t first_field = 0;
     std::vector<std::size_t> replaced{};   ///< the fields that the result replaces, sorted; empty: all
     bool appends = false;                  ///< the result replaces nothing, and stands at the end
@@ -44,14 +46,16 @@ struct Layout {
         }
         std::ranges::sort(replaced);
         first_field = positions.empty() ? 0 : std::ranges::min(positions);
-        number_of_field.assign(count, count);
-        for (std::size_t i = 0; i < number_of_field.size(); ++i) {
-            const std::size_t place = position(i) - first_field;
-            if (place >= count || number_of_field[place] != count || (i < kept && place != i)) {
+        const std::size_t last = positions.empty() ? std::max<std::size_t>(count, 1) - 1 : std::ranges::max(positions);
+        is_scattered = last - first_field + 1 > count;
+        number_of_field.assign(last - first_field + 1, no_number);
+        for (std::size_t i = 0; i < count; ++i) {
+            std::size_t& number = number_of_field[position(i) - first_field];
+            if (number != no_number || (i < kept && position(i) != first_field + i)) {
                 number_of_field.clear();
                 return;
             }
-            number_of_field[place] = i;
+            number = i;
         }
     }
     /// The position of the field that holds a number.

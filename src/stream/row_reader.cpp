@@ -11,23 +11,49 @@
 namespace rotconv::stream {
 namespace {
 
+/// The end of the field that begins there; null where blanks delimit and it is empty, or a tab would end it.
+const char* end_of_field(const char* at, const char* line_end, Delimiter delimiter) noexcept {
+    const auto size = static_cast<std::size_t>(line_end - at);
+    const auto* const found = static_cast<const char*>(std::memchr(at, delimiter.text(), size));
+    const char* const end = found == nullptr ? line_end : found;
+    return delimiter.is_blanks() && (end == at || std::find(at, end, '\t') != end) ? nullptr : end;
+}
+
 /// Flat, for fast_float is not inlined of itself where its callers stand in one source.
+/// @param order of the numbers; with has_others other fields may stand between them, see Layout::number_of_field
 /// @return the place after the last number; null if one is not finite, or something else stands in its field
-[[gnu::flatten]] const char* scan_numbers(const char* at, const char* end, char delimiter,
+template <bool has_others>
+[[gnu::flatten]] const char* scan_numbers(const char* at, const char* line_end, const char* end, Delimiter delimiter,
                                           std::span<const std::size_t> order, std::span<double> numbers) noexcept {
     for (auto next = order.begin();; ++at) {
-        double& number = numbers[*next];
-        at = scan_number(at, end, number);
-        if (at == nullptr || !std::isfinite(number)) {
-            return nullptr;
+        if (has_others && *next == Layout::no_number) {
+            at = end_of_field(at, line_end, delimiter);
+        } else {
+            double& number = numbers[*next];
+            at = scan_number(at, end, number);
+            if (at == nullptr || !std::isfinite(number)) {
+                return nullptr;
+            }
         }
-        if (++next == order.end()) {
+        if (at == nullptr || ++next == order.end()) {
             return at;
         }
-        if (at == end || *at != delimiter) {
+        if (at == end || *at != delimiter.text()) {
             return nullptr;
         }
     }
+}
+
+/// How many fields stand behind the one that ends there; nothing where end_of_field() has none.
+std::optional<std::size_t> count_behind(const char* at, const char* line_end, Delimiter delimiter) noexcept {
+    if (!delimiter.is_blanks()) {
+        return count_of(delimiter.text(), {at, line_end});
+    }
+    std::size_t count = 0;
+    for (; at != nullptr && at != line_end; ++count) {
+        at = *at == ' ' ? end_of_field(at + 1, line_end, delimiter) : nullptr;
+    }
+    return at == nullptr ? std::nullopt : std::optional(count);
 }
 
 } // namespace
@@ -58,10 +84,8 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
             return std::nullopt;
         }
         for (std::size_t i = 0; i < layout_->first_field; ++i) {
-            const auto* const found =
-                static_cast<const char*>(std::memchr(begin, delimiter.text(), static_cast<std::size_t>(end - begin)));
-            const char* const stop = found == nullptr ? end : found;
-            if (stop == end || (delimiter.is_blanks() && (stop == begin || std::find(begin, stop, '\t') != stop))) {
+            const char* const stop = end_of_field(begin, end, delimiter);
+            if (stop == nullptr || stop == end) {
                 return std::nullopt;
             }
             begin = stop + 1;
@@ -82,16 +106,18 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
     }
     to.numbers.resize(first + layout_->count);
     to.numbers[first] = 0.0;
-    const char* const at =
-        scan_numbers(first_number, text_end, delimiter.text(), order, std::span(to.numbers).subspan(first));
+    const auto numbers = std::span(to.numbers).subspan(first);
+    const char* const at = layout_->is_scattered
+                               ? scan_numbers<true>(first_number, end, text_end, delimiter, order, numbers)
+                               : scan_numbers<false>(first_number, end, text_end, delimiter, order, numbers);
     bool is_plain = at != nullptr;
     if (is_plain && has_other_fields) {
-        const bool ends_here = at == end;
-        is_plain = ends_here || (*at == delimiter.text() && !delimiter.is_blanks());
-        if (is_plain && width_.line > 0) { // a row that fits without its empty fields is not plain
-            const std::size_t behind = ends_here ? 0 : count_of(delimiter.text(), {at, end});
-            const std::size_t fields = layout_->first_field + layout_->count + behind;
-            is_plain = fields == width_.fields.all || fields == width_.fields.filled;
+        is_plain = at == end || *at == delimiter.text();
+        if (is_plain && (width_.line > 0 || delimiter.is_blanks())) {
+            const auto behind = count_behind(at, end, delimiter);
+            const std::size_t fields = layout_->first_field + layout_->number_of_field.size() + behind.value_or(0);
+            // a row that fits without its empty fields is not plain
+            is_plain = behind && (width_.line == 0 || fields == width_.fields.all || fields == width_.fields.filled);
         }
     } else if (is_plain) {
         const char* const newline = at != end && *at == '\r' ? at + 1 : at;
@@ -107,6 +133,10 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
         to.keys.emplace_back(begin, stop);
         to.keep(first);
         begin = stop + 1;
+    }
+    for (auto field = options_->numbers.kept;
+         layout_->is_scattered && layout_->number_of_field[field] == Layout::no_number; ++field) {
+        begin = std::find(begin, at, delimiter.text()) + 1;
     }
     return ScannedRow{line, {begin, at}};
 }

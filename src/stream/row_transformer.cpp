@@ -13,7 +13,7 @@ RowTransformer::RowTransformer(const Options& options, const Layout& layout, con
       operation_(options.operation->in_order ? options.operation : std::make_shared<RowOperation>(*options.operation)),
       width_(operation_->width()), gathered_(options, layout, reference_layout), writer_(options, layout),
       are_doubles_alone_(options.input.width > 0 && options.format == Format::f64 && writer_.writes_results_alone() &&
-                         !options.fold && options.writes_rows),
+                         !writer_.has_open_ends() && !options.fold && options.writes_rows),
       nans_(width_, std::numeric_limits<double>::quiet_NaN()) {}
 
 void RowTransformer::transform(ReadRows& pairs, Output& output, const Ordered& ordered) {
@@ -99,7 +99,11 @@ void RowTransformer::write(Output& output) {
         output.answered += rows.size();
         return;
     }
-    const auto stands_alone = [&](const Row& row) { return row.is_scanned() && !is_reported(row); };
+    const bool has_open_ends = writer_.has_open_ends();
+    const auto stands_alone = [&](const Row& row) {
+        return row.is_scanned() && !is_reported(row) &&
+               !(has_open_ends && writer_.is_near_open_end(std::span(results_).subspan(row.index * width_, width_)));
+    };
     for (auto row = rows.begin(); row != rows.end() && !output.stopped;) {
         const bool may_stand_alone = options_->writes_rows && writer_.writes_results_alone();
         const auto end = may_stand_alone ? std::find_if_not(row, rows.end(), stands_alone) : row;

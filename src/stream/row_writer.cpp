@@ -71,6 +71,27 @@ template <class WriteResult> void write_fields(Buffer& to, const Layout& layout,
     }
 }
 
+/// Copies the fields between the first and the last replaced one that are not replaced, each after a delimiter.
+char* copy_others(char* to, const Layout& layout, std::string_view numbers) {
+    const char delimiter = layout.delimiter.text();
+    const char* at = numbers.data();
+    const char* const end = at + numbers.size();
+    auto replaced = layout.replaced.begin();
+    for (std::size_t field = *replaced;; ++field) {
+        const char* const stop = std::find(at, end, delimiter);
+        if (field == *replaced) {
+            ++replaced;
+        } else {
+            *to++ = delimiter;
+            to = std::copy(at, stop, to);
+        }
+        if (stop == end) {
+            return to;
+        }
+        at = stop + 1;
+    }
+}
+
 /// Writes a line with the result, of at most `room` bytes, in the place of `numbers` or at its end.
 template <class WriteResult> void write_around(Buffer& to, const Layout& layout, const Line& line,
                                                std::string_view numbers, std::size_t room,
@@ -83,12 +104,15 @@ template <class WriteResult> void write_around(Buffer& to, const Layout& layout,
         after = line.end;
     }
     const std::size_t size = to.size();
-    to.reserve(size + before.size() + 1 + room + after.size());
+    to.reserve(size + before.size() + 1 + room + numbers.size() + after.size());
     char* at = std::ranges::copy(before, to.data() + size).out;
     if (layout.appends) {
         *at++ = layout.delimiter.text();
     }
     at = write_result(at);
+    if (layout.is_scattered && !layout.appends) {
+        at = copy_others(at, layout, numbers);
+    }
     at = std::ranges::copy(after, at).out;
     to.resize(static_cast<std::size_t>(at - to.data()));
     if (line.end.empty()) {
@@ -254,14 +278,21 @@ void RowWriter::write_number(Buffer& to, double value, std::size_t column) const
     }
 }
 
+bool RowWriter::is_near_open_end(std::span<const double> result) const noexcept {
+    return std::ranges::any_of(open_ends_, [result](const OpenEnd& each) {
+        return std::abs(result[each.number] - each.end) <= each.half_a_digit;
+    });
+}
+
 void RowWriter::write_csv(Buffer& to, const ConvertedRow& row) const {
     const char delimiter = layout_->delimiter.text();
     write_fields(to, *layout_, row.line.text, row.fields, delimiter, [&](const auto& begin_field) {
-        if (open_ends_.empty()) {
+        const bool one_by_one = is_near_open_end(row.result);
+        if (!one_by_one) {
             begin_field();
             append_numbers(to, row.result, delimiter, options_->digits);
         }
-        for (std::size_t i = 0; i < row.result.size() && !open_ends_.empty(); ++i) {
+        for (std::size_t i = 0; i < row.result.size() && one_by_one; ++i) {
             begin_field();
             write_number(to, row.result[i], i);
         }
@@ -309,9 +340,20 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
             append(to, std::isnan(value) ? "null" : value > 0 ? "\"inf\"" : "\"-inf\"");
         }
     };
+    Buffer texts; // of all numbers: one at a time they take longer
+    if (!options_->block && !is_near_open_end(row.result)) {
+        append_numbers(texts, row.result, '\n', options_->digits);
+    }
+    std::string_view rest(texts.data(), texts.size());
     for (std::size_t i = 0; i < row.result.size() && !options_->block; ++i) {
+        const std::string_view text = rest.substr(0, rest.find('\n'));
+        rest.remove_prefix(std::min(text.size() + 1, rest.size()));
         key();
-        number(row.result[i], i);
+        if (text.empty() || !std::isfinite(row.result[i])) {
+            number(row.result[i], i);
+        } else {
+            append(to, text);
+        }
     }
     std::size_t column = 0;
     for (const ResultPart& part : options_->block ? options_->operation->parts : std::vector<ResultPart>()) {

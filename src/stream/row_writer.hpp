@@ -43,8 +43,11 @@ public:
     /// Writes rows that were scanned, one after the other, to which the output adds only the result, in the place of
     /// the row's numbers or at its end. `results` are those of all rows at hand.
     void write(Buffer& to, std::span<const Row> rows, std::span<const double> results) const;
-    /// Whether all rows that do not fail are such rows.
-    [[nodiscard]] bool writes_results_alone() const noexcept { return is_plain_ && open_ends_.empty(); }
+    /// Whether all rows that do not fail are such rows, but those near an open end.
+    [[nodiscard]] bool writes_results_alone() const noexcept { return is_plain_; }
+    [[nodiscard]] bool has_open_ends() const noexcept { return !open_ends_.empty(); }
+    /// Whether a number may be rounded to the open end of its range.
+    [[nodiscard]] bool is_near_open_end(std::span<const double> result) const noexcept;
     /// Writes a number of a result.
     void write_number(Buffer& to, double value, std::size_t column) const;
 

@@ -23,6 +23,10 @@ constexpr auto powers_of_ten = [] {
     return powers;
 }();
 
+/// Those that a double holds exactly.
+constexpr std::array exact_powers_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                         1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
 /// The same as scan_number(), by fast_float alone.
 [[gnu::cold, gnu::noinline]] const char* scan_any_number(const char* begin, const char* end, double& value) noexcept;
 
@@ -68,6 +72,12 @@ public:
                 return nullptr;
             }
             exponent += is_small ? -static_cast<std::int64_t>(power) : static_cast<std::int64_t>(power);
+        }
+        if (digits < std::uint64_t{1} << 53U && exponent <= 0 && exponent >= -22) { // both exact: one rounding
+            const double magnitude = static_cast<double>(static_cast<std::int64_t>(digits)) /
+                                     exact_powers_of_ten[static_cast<std::size_t>(-exponent)];
+            value = is_negative ? -magnitude : magnitude;
+            return at_;
         }
         const auto result = fast_float::compute_float<fast_float::binary_format<double>>(exponent, digits);
         if (result.power2 < 0) { // too close to a tie

@@ -46,14 +46,15 @@ struct Arc {
 
 /// As Survey says: halves the arc, keeping the half with the larger step.
 // NOLINTNEXTLINE(misc-no-recursion): a half-turn is cut twice
-bool has_jump(const Spec& spec, Arc arc, Numbers from, Numbers to, double condition) noexcept {
+bool has_jump(const Spec& spec, Arc arc, double angle, Numbers from, Numbers to, double condition) noexcept {
     condition = std::min(condition, greatest_explanation);
-    double angle = arc.angle();
     if (angle > longest_part) {
         const Unit middle = arc.middle();
         const Numbers half = numbers_of(spec, middle);
-        return has_jump(spec, {arc.from, middle}, from, half, condition) ||
-               has_jump(spec, {middle, arc.to}, half, to, condition);
+        const Arc first(arc.from, middle);
+        const Arc second(middle, arc.to);
+        return has_jump(spec, first, first.angle(), from, half, condition) ||
+               has_jump(spec, second, second.angle(), half, to, condition);
     }
     double step = (to - from).norm();
     while (step > least_jump) {
@@ -97,6 +98,8 @@ Survey::Survey() {
 void Survey::add(const Rotation& rotation, std::size_t row) noexcept {
     const Eigen::Quaterniond q = quaternion::from_rotation(rotation);
     const Unit now(q.w(), q.x(), q.y(), q.z());
+    const Arc arc(rows_ > 0 ? Unit(latest_.data()) : now, now);
+    const double angle = arc.angle();
     for (std::size_t i = 0; i < surveys_.size(); ++i) {
         RepresentationSurvey& survey = surveys_[i];
         const Sensitivity sensitivity = codec_of(survey.spec.name).sensitivity(survey.spec, rotation_of(now));
@@ -109,7 +112,7 @@ void Survey::add(const Rotation& rotation, std::size_t row) noexcept {
             survey.greatest_condition = sensitivity.condition;
             survey.condition_row = row;
         }
-        if (rows_ > 0 && has_jump(survey.spec, {Unit(latest_.data()), now}, states_[i].numbers, state.numbers,
+        if (rows_ > 0 && has_jump(survey.spec, arc, angle, states_[i].numbers, state.numbers,
                                   std::max(states_[i].condition, state.condition))) {
             survey.jump_row = survey.jumps++ == 0 ? row : survey.jump_row;
         }
