@@ -1,6 +1,7 @@
 #!/bin/sh
 # examples_test.sh FOLDER: each example runs, and the source documents' examples print what the documents print.
 set -eu
+here=$(cd "$(dirname "$0")" && pwd)
 cd "$1"
 failed=0
 check() { # what, expected line, text
@@ -76,11 +77,16 @@ for digit in 2 9 15; do
 done
 rm "$golden"
 
-# The table of README.md is what check-situations.sh prints.
-situations=$(./check-situations.sh)
+# check-situations.sh prints situations.txt, and the table of README.md is at most eight of its rows.
+./check-situations.sh | diff "$here/situations.txt" - || {
+    echo "FAILED: check-situations.sh does not print situations.txt"
+    failed=1
+}
 table=$(sed -n '/^| situation /,/^$/p' README.md)
-[ "$situations" = "$table" ] || {
-    printf '%s\n' "$situations" "FAILED: check-situations.sh does not print the table of README.md:" "$table"
+others=$(printf '%s\n' "$table" | grep -vxFf "$here/situations.txt") || true
+rows=$(printf '%s\n' "$table" | sed 1,2d | wc -l)
+[ -z "$others" ] && [ "$rows" -gt 0 ] && [ "$rows" -le 8 ] || {
+    printf '%s\n' "FAILED: the table of situations of README.md has $rows rows, and these are not in situations.txt:" "$others"
     failed=1
 }
 
