@@ -56,6 +56,63 @@ std::optional<std::size_t> count_behind(const char* at, const char* line_end, De
     return at == nullptr ? std::nullopt : std::optional(count);
 }
 
+// Parts of a scan, each in one place; null, or false, where the row is not plain.
+
+/// The first field that may hold a number, or the key.
+const char* first_field_of(const Layout& layout, std::string_view line) noexcept {
+    const char* at = line.data();
+    const char* const end = at + line.size();
+    if (line.find('"') != std::string_view::npos) { // quicker than std::find
+        return nullptr;
+    }
+    for (std::size_t i = 0; i < layout.first_field; ++i, ++at) {
+        at = end_of_field(at, end, layout.delimiter);
+        if (at == nullptr || at == end) {
+            return nullptr;
+        }
+    }
+    return at;
+}
+
+/// What follows the key with which the text begins.
+const char* behind_key(Delimiter delimiter, std::string_view text) noexcept {
+    const std::size_t size = text.find(delimiter.text());
+    const std::string_view key = text.substr(0, size);
+    const bool is_plain = size < text.size() && size > 0 && trimmed(key).size() == size &&
+                          !(delimiter.is_blanks() && key.find('\t') != std::string_view::npos);
+    return is_plain ? text.data() + size + 1 : nullptr;
+}
+
+/// Whether a row whose last number ends there has the right width. One that fits without its empty fields is not plain.
+bool fits(const Layout& layout, const RowWidth& width, const char* last, const char* line_end) noexcept {
+    const Delimiter delimiter = layout.delimiter;
+    if (last != line_end && *last != delimiter.text()) {
+        return false;
+    }
+    if (width.line == 0 && !delimiter.is_blanks()) {
+        return true;
+    }
+    const auto behind = count_behind(last, line_end, delimiter);
+    const std::size_t fields = layout.first_field + layout.number_of_field.size() + behind.value_or(0);
+    return behind && (width.line == 0 || fields == width.fields.all || fields == width.fields.filled);
+}
+
+/// Keeps the key, or what is kept of the numbers from that of the index on. @return the part of the other numbers
+std::string_view keep_scanned(const Layout& layout, std::size_t kept, const char* begin, const char* end,
+                              std::size_t first, RowParts& to) {
+    const char delimiter = layout.delimiter.text();
+    for (std::size_t i = 0; i < kept; ++i) {
+        const char* const stop = std::find(begin, end, delimiter);
+        to.keys.emplace_back(begin, stop);
+        to.keep(first);
+        begin = stop + 1;
+    }
+    for (std::size_t i = kept; layout.is_scattered && layout.number_of_field[i] == Layout::no_number; ++i) {
+        begin = std::find(begin, end, delimiter) + 1;
+    }
+    return {begin, end};
+}
+
 } // namespace
 
 std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) const {
@@ -68,77 +125,40 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
         }
         return ScannedRow{row, row.text};
     }
-    if (layout_->number_of_field.empty()) {
+    const bool is_whole = layout_->is_whole;
+    const char* const text_end = text.data() + text.size();
+    Line line{text, {}};
+    if (!is_whole) {
+        line = next_line(text);
+    }
+    const char* const end = line.text.data() + line.text.size();
+    const char* const begin = layout_->number_of_field.empty() ? nullptr
+                              : is_whole                       ? text.data()
+                                                               : first_field_of(*layout_, line.text);
+    const char* const first_number = begin != nullptr && by_key_ ? behind_key(layout_->delimiter, {begin, end}) : begin;
+    if (first_number == nullptr) {
         return std::nullopt;
     }
-    const Delimiter delimiter = layout_->delimiter;
-    const bool has_other_fields = !layout_->is_whole;
-    const char* begin = text.data();
-    const char* const text_end = begin + text.size();
-    const char* end = text_end;
-    Line line;
-    if (has_other_fields) {
-        line = next_line(text);
-        end = begin + line.text.size();
-        if (line.text.find('"') != std::string_view::npos) { // quicker than std::find
-            return std::nullopt;
-        }
-        for (std::size_t i = 0; i < layout_->first_field; ++i) {
-            const char* const stop = end_of_field(begin, end, delimiter);
-            if (stop == nullptr || stop == end) {
-                return std::nullopt;
-            }
-            begin = stop + 1;
-        }
-    }
-    std::span<const std::size_t> order = layout_->number_of_field;
-    const char* first_number = begin;
-    if (by_key_) {
-        const std::string_view key = line.text.substr(static_cast<std::size_t>(begin - line.text.data()));
-        const std::size_t size = key.find(delimiter.text());
-        if (size >= key.size() || size == 0 || trimmed(key.substr(0, size)).size() < size ||
-            (delimiter.is_blanks() && key.substr(0, size).find('\t') != std::string_view::npos)) {
-            return std::nullopt;
-        }
-        first_number += size;
-        ++first_number;
-        order = order.subspan(1);
-    }
+    const auto order = std::span(layout_->number_of_field).subspan(by_key_ ? 1 : 0);
     to.numbers.resize(first + layout_->count);
     to.numbers[first] = 0.0;
     const auto numbers = std::span(to.numbers).subspan(first);
-    const char* const at = layout_->is_scattered
-                               ? scan_numbers<true>(first_number, end, text_end, delimiter, order, numbers)
-                               : scan_numbers<false>(first_number, end, text_end, delimiter, order, numbers);
-    bool is_plain = at != nullptr;
-    if (is_plain && has_other_fields) {
-        is_plain = at == end || *at == delimiter.text();
-        if (is_plain && (width_.line > 0 || delimiter.is_blanks())) {
-            const auto behind = count_behind(at, end, delimiter);
-            const std::size_t fields = layout_->first_field + layout_->number_of_field.size() + behind.value_or(0);
-            // a row that fits without its empty fields is not plain
-            is_plain = behind && (width_.line == 0 || fields == width_.fields.all || fields == width_.fields.filled);
-        }
+    const char* const last = layout_->is_scattered
+                                 ? scan_numbers<true>(first_number, end, text_end, layout_->delimiter, order, numbers)
+                                 : scan_numbers<false>(first_number, end, text_end, layout_->delimiter, order, numbers);
+    bool is_plain = last != nullptr;
+    if (is_plain && is_whole) {
+        const char* const newline = last != end && *last == '\r' ? last + 1 : last;
+        is_plain = last == end || (newline != end && *newline == '\n');
+        line = {{begin, last}, {last, newline == end ? end : newline + 1}};
     } else if (is_plain) {
-        const char* const newline = at != end && *at == '\r' ? at + 1 : at;
-        is_plain = at == end || (newline != end && *newline == '\n');
-        line = {{begin, at}, {at, newline == end ? end : newline + 1}};
+        is_plain = fits(*layout_, width_, last, end);
     }
     if (!is_plain) {
         to.numbers.resize(first);
         return std::nullopt;
     }
-    for (std::size_t i = 0; i < options_->numbers.kept; ++i) {
-        const char* const stop = std::find(begin, at, delimiter.text());
-        to.keys.emplace_back(begin, stop);
-        to.keep(first);
-        begin = stop + 1;
-    }
-    for (auto field = options_->numbers.kept;
-         layout_->is_scattered && layout_->number_of_field[field] == Layout::no_number; ++field) {
-        begin = std::find(begin, at, delimiter.text()) + 1;
-    }
-    return ScannedRow{line, {begin, at}};
+    return ScannedRow{line, keep_scanned(*layout_, options_->numbers.kept, begin, last, first, to)};
 }
 
 bool RowReader::read(std::string_view row, RowParts& to) const {
