@@ -97,6 +97,7 @@ inline constexpr EulerSequence roll_pitch_yaw = "xyz";
 struct EulerAngles {
     EulerAngles(const Eigen::Vector3d& values, EulerSequence order, AngleUnit angle_unit) noexcept // NOLINT(*-by-value)
         : angles(values), sequence(order), unit(angle_unit) {}
+    // NOLINTNEXTLINE(*-member-init): it delegates
     EulerAngles(const DynamicMatrix auto& values, EulerSequence order, AngleUnit angle_unit)
         : EulerAngles(sized<Eigen::Vector3d>(values), order, angle_unit) {}
 

@@ -183,7 +183,7 @@ class Search {
 public:
     explicit Search(const Attempt& wrong) : axes_(axes_of_projects(wrong.words)) { follow(wrong, 0); }
 
-    std::vector<std::string> found{}; ///< commands
+    [[nodiscard]] const std::vector<std::string>& found() const { return found_; } ///< commands
 
 private:
     static constexpr std::size_t most_found = 2;
@@ -192,7 +192,7 @@ private:
 
     // NOLINTNEXTLINE(misc-no-recursion): as deep as mends that follow each other
     void follow(const Attempt& attempt, int depth, bool is_choice = false) {
-        if (depth > deepest || found.size() == most_found || --left_ < 0) {
+        if (depth > deepest || found_.size() == most_found || --left_ < 0) {
             return;
         }
         const Outcome outcome = outcome_of(attempt, depth == deepest);
@@ -201,13 +201,13 @@ private:
             whole.words.insert(std::ranges::find(whole.words, "--"), axes_.begin(), axes_.end());
             const std::string command = (outcome_of(whole).serves ? whole : attempt).command();
             if (command.size() + std::string_view("try: ").size() <= longest && shown(command) == command &&
-                std::ranges::count(found, command) == 0) {
-                found.push_back(command);
+                std::ranges::count(found_, command) == 0) {
+                found_.push_back(command);
             }
         }
         const bool is_done = outcome.serves || depth == deepest;
         for (auto group = outcome.mends.begin(); group != outcome.mends.end() && !is_done; ++group) {
-            const std::size_t before = found.size();
+            const std::size_t before = found_.size();
             for (const Mend& mend : *group) {
                 if (!mend.order.empty() && !outcome_of(attempt.after(mend, false)).serves) {
                     continue;
@@ -215,12 +215,13 @@ private:
                 // rows have no second mend
                 follow(attempt.after(mend), outcome.is_tried ? deepest : depth + 1, is_choice || group->size() > 1);
             }
-            if (found.size() > before) {
+            if (found_.size() > before) {
                 break;
             }
         }
     }
 
+    std::vector<std::string> found_{};
     std::vector<std::string> axes_; ///< options for all
     int left_ = 100;                ///< attempts
 };
@@ -250,7 +251,8 @@ std::string answers(const std::vector<std::string>& words, std::optional<std::st
     if (wrong.words == words && beginning) {
         wrong.text = std::string(*beginning);
     }
-    for (const std::string& command : Search(wrong).found) {
+    const Search search(wrong);
+    for (const std::string& command : search.found()) {
         lines += fmt::format("try: {}\n", command);
     }
     return lines;

@@ -244,10 +244,12 @@ private:
         std::vector<Mend> mends;
         for (const char* name : {is_inverse ? "--to" : "--from", is_inverse ? "--from" : "--to"}) {
             const Option* const option = options_->find(name);
-            const bool is_given = option != nullptr && option->given() && !(is_inverse && !mends.empty());
-            for (const std::string& spec : is_given ? with_modifier(option->text(), modifier) : Words()) {
+            if (option == nullptr || !option->given() || (is_inverse && !mends.empty())) {
+                continue;
+            }
+            for (const std::string& spec : with_modifier(option->text(), modifier)) {
                 mends.push_back(mend);
-                mends.back().edits.push_back(options_->setting(*option, spec));
+                mends.back().edits.push_back(OptionSet::setting(*option, spec));
             }
         }
         return mends;

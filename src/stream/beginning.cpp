@@ -56,7 +56,10 @@ struct Fields : HeaderLine {
     std::size_t index; ///< of the line
     bool is_comment;
 
-    [[nodiscard]] HeaderLine as_header() const { return begins_with_mark() ? without_mark() : HeaderLine(*this); }
+    [[nodiscard]] HeaderLine as_header() const {
+        const HeaderLine& own = *this;
+        return begins_with_mark() ? without_mark() : own;
+    }
     [[nodiscard]] std::string_view text(std::size_t at) const { return delimiter.text_of(fields[at]); }
 };
 
@@ -176,8 +179,9 @@ private:
     /// The line as a header that has names of all numbers, and where these say that the numbers are.
     [[nodiscard]] std::optional<HeaderLine> header_with_set(const Fields& line, const Fields* row,
                                                             ChosenColumns* chosen = nullptr) const {
+        const auto words = std::ranges::ssize(line.fields) - std::ranges::count_if(line.fields, is_number);
         const bool may_be_header =
-            options_.columns_of && (line.is_comment || !std::ranges::all_of(line.fields, is_number));
+            options_.columns_of && (line.is_comment || words >= static_cast<std::ptrdiff_t>(count()));
         for (const HeaderLine& header : may_be_header ? headers_of(line, row) : std::vector<HeaderLine>()) {
             ChosenColumns found = options_.columns_of(header.names());
             if (found.are_known) {
@@ -335,7 +339,7 @@ private:
     }
 
     /// Whether a line above the first row would be a row, of its width and with a number where numbers are.
-    [[nodiscard]] bool is_row(const Fields& line, const Fields& row, const Positions& positions) const {
+    [[nodiscard]] static bool is_row(const Fields& line, const Fields& row, const Positions& positions) {
         if (!line.width().fits(row.width())) {
             return false;
         }
@@ -353,7 +357,7 @@ private:
         std::size_t units = 0;
         for (std::size_t i = 0; i < line.fields.size(); ++i) {
             const std::string_view text = line.text(i);
-            const bool is_unit = options_.is_unit && options_.is_unit(text);
+            const bool is_unit = options_.is_unit != nullptr && options_.is_unit(text);
             units += is_unit && !is_number(text) ? 1 : 0; // 1 of no dimension
             if (!is_unit && !text.empty() && text != "-" && text != "[]" && text != "[-]") {
                 return false;

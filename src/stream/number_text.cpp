@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <system_error>
+#include <type_traits>
 
 #ifdef __SSE2__
 #include <emmintrin.h>
@@ -110,7 +111,8 @@ constexpr std::uint64_t smallest_normal = std::uint64_t{1} << 52U;
     const int exponent = static_cast<int>(bits >> 52U) - 1075;
     const int minus_k = (exponent * 315'653 >> 20) - 2;       // log10(2) is 315653 / 2^20
     const int beta = exponent + (-minus_k * 1'741'647 >> 19); // log2(10) is 1741647 / 2^19
-    const auto power = jkj::dragonbox::policy::cache::full.get_cache<jkj::dragonbox::ieee754_binary64>(-minus_k);
+    using Powers = std::remove_cv_t<decltype(jkj::dragonbox::policy::cache::full)>;
+    const auto power = Powers::get_cache<jkj::dragonbox::ieee754_binary64>(-minus_k);
     const auto delta = static_cast<std::uint32_t>(power.high() >> static_cast<unsigned>(63 - beta)); // 100 to 999
     const std::uint64_t end = (2 * (fraction | smallest_normal) | 1U) << static_cast<unsigned>(beta);
     const Uint128 product = static_cast<Uint128>(end) * power.high() + (static_cast<Uint128>(end) * power.low() >> 64U);
@@ -303,7 +305,7 @@ constexpr int most_decimals = 16;
     to += std::bit_cast<std::uint64_t>(value) >> 63U & (decimal.digits != 0 ? 1U : 0U);
     const int whole = most_digits - decimals;
     const int zeros = std::countr_zero(2 * text.not_zero | (text.digits[DecimalText::first] != '0' ? 1U : 0U) |
-                                       1U << static_cast<unsigned>(whole - 1)); // that are not written
+                                       1U << (static_cast<unsigned>(whole) - 1U) % 32U); // that are not written
     std::memcpy(to, text.digits.data() + DecimalText::first + zeros, most_digits);
     to += whole - zeros;
     if (decimals == 0) {

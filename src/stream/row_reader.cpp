@@ -22,15 +22,16 @@ const char* end_of_field(const char* at, const char* line_end, Delimiter delimit
 /// Flat, for fast_float is not inlined of itself where its callers stand in one source.
 /// @param order of the numbers; with has_others other fields may stand between them, see Layout::number_of_field
 /// @return the place after the last number; null if one is not finite, or something else stands in its field
-template <bool has_others>
-[[gnu::flatten]] const char* scan_numbers(const char* at, const char* line_end, const char* end, Delimiter delimiter,
-                                          std::span<const std::size_t> order, std::span<double> numbers) noexcept {
+template <bool has_others> [[gnu::flatten]] const char* scan_numbers(const char* at, const char* line_end,
+                                                                     const char* text_end, Delimiter delimiter,
+                                                                     std::span<const std::size_t> order,
+                                                                     std::span<double> numbers) noexcept {
     for (auto next = order.begin();; ++at) {
         if (has_others && *next == Layout::no_number) {
             at = end_of_field(at, line_end, delimiter);
         } else {
             double& number = numbers[*next];
-            at = scan_number(at, end, number);
+            at = scan_number(at, text_end, number);
             if (at == nullptr || !std::isfinite(number)) {
                 return nullptr;
             }
@@ -38,7 +39,7 @@ template <bool has_others>
         if (at == nullptr || ++next == order.end()) {
             return at;
         }
-        if (at == end || *at != delimiter.text()) {
+        if (at == text_end || *at != delimiter.text()) {
             return nullptr;
         }
     }
@@ -131,11 +132,12 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
     if (!is_whole) {
         line = next_line(text);
     }
-    const char* const end = line.text.data() + line.text.size();
+    const char* const line_end = line.text.data() + line.text.size();
     const char* const begin = layout_->number_of_field.empty() ? nullptr
                               : is_whole                       ? text.data()
                                                                : first_field_of(*layout_, line.text);
-    const char* const first_number = begin != nullptr && by_key_ ? behind_key(layout_->delimiter, {begin, end}) : begin;
+    const char* const first_number =
+        begin != nullptr && by_key_ ? behind_key(layout_->delimiter, {begin, line_end}) : begin;
     if (first_number == nullptr) {
         return std::nullopt;
     }
@@ -143,16 +145,17 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
     to.numbers.resize(first + layout_->count);
     to.numbers[first] = 0.0;
     const auto numbers = std::span(to.numbers).subspan(first);
-    const char* const last = layout_->is_scattered
-                                 ? scan_numbers<true>(first_number, end, text_end, layout_->delimiter, order, numbers)
-                                 : scan_numbers<false>(first_number, end, text_end, layout_->delimiter, order, numbers);
+    const char* const last =
+        layout_->is_scattered
+            ? scan_numbers<true>(first_number, line_end, text_end, layout_->delimiter, order, numbers)
+            : scan_numbers<false>(first_number, line_end, text_end, layout_->delimiter, order, numbers);
     bool is_plain = last != nullptr;
     if (is_plain && is_whole) {
-        const char* const newline = last != end && *last == '\r' ? last + 1 : last;
-        is_plain = last == end || (newline != end && *newline == '\n');
-        line = {{begin, last}, {last, newline == end ? end : newline + 1}};
+        const char* const newline = last != line_end && *last == '\r' ? last + 1 : last;
+        is_plain = last == line_end || (newline != line_end && *newline == '\n');
+        line = {{begin, last}, {last, newline == line_end ? line_end : newline + 1}};
     } else if (is_plain) {
-        is_plain = fits(*layout_, width_, last, end);
+        is_plain = fits(*layout_, width_, last, line_end);
     }
     if (!is_plain) {
         to.numbers.resize(first);

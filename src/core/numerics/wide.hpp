@@ -30,6 +30,7 @@ public:
     Wide() noexcept : Wide(0.0) {}
     Wide(double value) noexcept;
     Wide(double high, double low) noexcept;
+    // NOLINTNEXTLINE(*-member-init): it delegates
     template <class Parts, class = decltype(Parts::lo)> Wide(const Parts& parts) noexcept : Wide(parts.hi, parts.lo) {}
     Wide(const Wide& other) noexcept;
     Wide(Wide&& other) noexcept : number_(other.number_) { other.number_ = nullptr; }
