@@ -294,8 +294,8 @@ std::pair<std::string, std::string_view> name_and_unit(const std::string& text) 
 bool is_unit(std::string_view text) {
     constexpr std::string_view others = " m mm cm m/s m/s^2 m/s2 g 1 ";
     const std::string own = lower(text.substr(std::min(text.find_first_not_of("[("), text.size())));
-    return !unit_of(text).empty() ||
-           (!own.empty() && others.find(" " + own.substr(0, own.find_last_not_of("])") + 1) + " ") != others.npos);
+    return !unit_of(text).empty() || (!own.empty() && others.find(" " + own.substr(0, own.find_last_not_of("])") + 1) +
+                                                                  " ") != std::string_view::npos);
 }
 
 std::vector<Part> parts_of(const stream::RowNumbers& numbers) {

@@ -5,6 +5,7 @@
 
 #include "../methods/method_conversion.hpp"
 #include "../stream/row_writer.hpp"
+#include "column_names.hpp"
 #include "row_options.hpp"
 #include "values.hpp"
 
