@@ -50,7 +50,7 @@ struct ChosenColumns {
 };
 
 /// How the rows of a stream are read.
-struct InputOptions { // NOLINT(*-performance.Padding): one a run, in the order of its reader
+struct InputOptions { // NOLINT(*.Padding): one a run, in the order of its reader
     RowNumbers numbers{};
     ColumnList columns{};                 ///< empty: a row is its numbers and nothing else
     std::optional<Delimiter> delimiter{}; ///< nothing: the first data row's

@@ -45,11 +45,13 @@ void compare(const Comparison& comparison) {
     std::fflush(stdout);
 }
 
-/// The same attitudes as rows, four times, in two halves, with a header and more columns, and as doubles.
+/// The same attitudes as rows, four times, in two halves, with a header and more columns, with a column between their
+/// numbers, and as doubles.
 void write_inputs(const Folder& folder) {
     Attitudes attitudes;
     std::ofstream plain(folder / "quat");
     std::ofstream columns(folder / "columns");
+    std::ofstream apart(folder / "apart");
     std::ofstream first(folder / "first");
     std::ofstream second(folder / "second");
     columns << "time,qw,qx,qy,qz,label\n";
@@ -58,8 +60,11 @@ void write_inputs(const Folder& folder) {
         plain << row << '\n';
         (i < rows / 2 ? first : second) << row << '\n';
         columns << i << ',' << row << ",imu\n";
+        const std::size_t second_comma = row.find(',', row.find(',') + 1);
+        apart << row.substr(0, second_comma) << ",imu" << row.substr(second_comma) << '\n';
     }
     plain.close();
+    apart.close();
     for (int i = 0; i < 4; ++i) {
         std::ofstream(folder / "four", std::ios::app) << std::ifstream(folder / "quat").rdbuf();
     }
@@ -93,6 +98,11 @@ void compare_loops(const Folder& folder) {
                      rotconv(to, 1, from) + input + away, "exec " BARE_LOOP " " + name + digits + input + away,
                      Measure::processor, 9});
         }
+        const std::string few = folder / (from + "4").c_str(); // as files of people have them
+        static_cast<void>(time_of(rotconv(from, 2, from) + " --decimals 4 --tolerance inf" + input + " > " + few));
+        compare({fmt::format("{} of four decimals to {}, against a bare loop of the libraries alone", from, to),
+                 rotconv(to, 1, from) + " < " + few + away, "exec " BARE_LOOP " " + name + " libraries < " + few + away,
+                 Measure::processor, 9});
     }
 }
 
@@ -105,6 +115,9 @@ void compare_floors(const Folder& folder) {
     };
     compare({"with header and extra columns, against plain rows",
              rotconv("dcm", 1) + " --columns qw,qx,qy,qz" + columns, rotconv("dcm", 1) + plain, Measure::processor});
+    compare({"with a column between two numbers, against plain rows",
+             rotconv("dcm", 1) + " --columns 1,2,4,5 < " + folder / "apart" + " > /dev/null", rotconv("dcm", 1) + plain,
+             Measure::processor});
     compare({"two threads, against one, 4 million rows", rotconv("dcm", 2) + four, rotconv("dcm", 1) + four,
              Measure::clock, 5});
     compare({"two threads, against two processes with half of the rows each", rotconv("dcm", 2) + plain,
