@@ -2,7 +2,7 @@
 
 #include <rotconv/version.hpp>
 
-#include "careful_rows.hpp"
+#include "known_numbers.hpp"
 #include "numerics/elementary.hpp"
 
 namespace rotconv {

@@ -75,7 +75,7 @@ bool holds_number(const HeaderLine& line) {
 class Decision {
 public:
     Decision(std::span<const Line> lines, const InputOptions& options, bool is_end)
-        : lines_(lines), options_(options), is_end_(is_end) {
+        : options_(options), is_end_(is_end) {
         for (std::size_t i = 0; i < lines.size(); ++i) {
             if (!is_blank(lines[i].text)) {
                 all_.emplace_back(lines[i], i, options);
@@ -381,7 +381,6 @@ private:
     /// What the lines are if none is numeric.
     [[nodiscard]] std::optional<Beginning> without_row() const {
         Beginning made;
-        std::optional<ColumnError> wrong;
         for (std::size_t i = all_.size(); i-- > 0 && may_have_header() && !made.header;) {
             if (by_name()) {
                 auto [header, found] = find_names(all_[i], all_[first_]);
@@ -533,7 +532,6 @@ private:
         return error({.what = StreamError::What::columns, .column = lacked(line)}, line);
     }
 
-    std::span<const Line> lines_;
     const InputOptions& options_;
     bool is_end_;
     std::vector<Fields> all_; ///< the lines that are not blank
