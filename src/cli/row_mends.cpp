@@ -102,7 +102,7 @@ private:
     /// If the command has all these options.
     void offer(const std::vector<std::optional<Edit>>& edits, const std::string& pipe = {}, std::string text = {},
                std::string_view others = {}) {
-        if (std::ranges::all_of(edits, &std::optional<Edit>::has_value)) {
+        if (std::ranges::all_of(edits, [](const auto& edit) { return edit.has_value(); })) {
             const Mend mend{mapped(edits, [](const auto& edit) { return *edit; })};
             mends_.push_back({pipe.empty() ? mend : command_->line->piped(mend, pipe, std::move(text), others)});
         }

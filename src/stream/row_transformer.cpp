@@ -86,7 +86,7 @@ void RowTransformer::finish_batch(std::string_view text, Output& output) {
     write(output);
     if (options_->fold && gathered_.count() > 0) { // operations with a fold answer all rows at once
         output.batches.push_back(
-            {std::move(gathered_.held()), std::exchange(results_, {}), std::exchange(reports_, {})});
+            {std::exchange(gathered_.held(), HeldRows()), std::exchange(results_, {}), std::exchange(reports_, {})});
     }
 }
 

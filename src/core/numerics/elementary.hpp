@@ -16,6 +16,7 @@ namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
 /// The nearest double, and the one nearest to what is beside it.
+// NOLINTNEXTLINE(bugprone-exception-escape): see wide.hpp
 [[nodiscard]] inline DoubleDouble rounded_parts(const Wide& a) noexcept {
     const double high = a.rounded();
     return {high, (a - Wide(high)).rounded()};
@@ -39,6 +40,7 @@ inline constexpr DoubleDouble exact_degrees_per_radian{0x1.ca5dc1a63c1f8p+5, -0x
 /// a double of any size or, as a sum, not nearer to a zero than to its own error; as doubles to 2^-51.5. Multiples of
 /// 90 degrees are exact.
 template <class T> [[nodiscard]] SineCosine<T> sine_cosine(DoubleDouble angle, AngleUnit unit) noexcept;
+// NOLINTNEXTLINE(bugprone-exception-escape)
 [[nodiscard]] inline SineCosine<Wide> sine_cosine(const Wide& angle, AngleUnit unit) noexcept {
     SineCosine<Wide> both;
     Wide::sine_cosine(angle, unit == AngleUnit::degrees, both.sine, both.cosine);

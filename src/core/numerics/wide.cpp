@@ -10,6 +10,8 @@
 
 #include "elementary.hpp"
 
+// NOLINTBEGIN(bugprone-exception-escape,bugprone-unhandled-exception-at-new,cppcoreguidelines-owning-memory): see
+// wide.hpp
 namespace rotconv {
 namespace {
 
@@ -17,8 +19,8 @@ namespace mp = boost::multiprecision;
 using Int = mp::number<mp::cpp_int_backend<1024, 0, mp::signed_magnitude, mp::unchecked>, mp::et_off>;
 using Exponent = std::int64_t;
 
-thread_local int work_bits = 256;
-thread_local bool is_doubted = false;
+thread_local int work_bits = 256;     // NOLINT(*-avoid-non-const-global-variables): of a thread
+thread_local bool is_doubted = false; // NOLINT(*-avoid-non-const-global-variables)
 
 /// An upper bound, 0 or v 2^x with v in [1/2, 1).
 struct Bound {
@@ -304,7 +306,7 @@ Wide root(const Wide& a) noexcept {
     if (x.m.sign() <= 0) { // it is not negative: 0, as far as can be told
         return Wide(Wide::Number::of(0, 0, root_of(x.r + x.size())));
     }
-    Exponent by = std::max<Exponent>(0, 2 * (work_bits + 32) - length(x.m));
+    Exponent by = std::max<Exponent>(0, 2 * Exponent{work_bits + 32} - length(x.m));
     by += (x.e - by) & 1;
     const Int square = x.m << static_cast<unsigned long>(by);
     Wide::Number whole;
@@ -459,3 +461,4 @@ Wide Wide::angle_of(const Wide& x, const Wide& y, bool in_degrees) noexcept {
 }
 
 } // namespace rotconv
+// NOLINTEND(bugprone-exception-escape,bugprone-unhandled-exception-at-new,cppcoreguidelines-owning-memory)

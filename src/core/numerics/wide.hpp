@@ -2,6 +2,7 @@
 
 namespace rotconv {
 
+// NOLINTBEGIN(bugprone-exception-escape): where there is no memory for a number, the program ends
 /// A number and a bound on its error, of as many bits as the thread works with (Wide::Bits), with an exponent of any
 /// size: for the few rows that 106 bits do not decide. Every operation adds to the bound what it rounds, so that no
 /// formula over it needs an analysis. It is compiled once for all processors, and shows them nothing of the library
@@ -88,4 +89,5 @@ private:
     Number* number_;
 };
 
+// NOLINTEND(bugprone-exception-escape)
 } // namespace rotconv
