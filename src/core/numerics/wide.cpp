@@ -6,6 +6,9 @@
 #include <limits>
 #include <utility>
 
+#ifndef BOOST_NO_CXX98_FUNCTION_BASE
+#define BOOST_NO_CXX98_FUNCTION_BASE // libc++ has them no more, which Boost 1.74 does not know
+#endif
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "elementary.hpp"
