@@ -203,7 +203,10 @@ struct AngleSum {
         const unsigned second = (code - 1) / base % base;
         return first == second ? angle(first) : angle(first) + angle(second);
     }
-    [[nodiscard]] double constant() const noexcept { return 15.0 * ((code - 1) / (base * base)); }
+    [[nodiscard]] double constant() const noexcept {
+        const unsigned multiple = (code - 1) / (base * base);
+        return 15.0 * multiple;
+    }
 };
 
 /// The angles of a row and of the fixed rotations; how many there are.
