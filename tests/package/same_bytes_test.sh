@@ -112,7 +112,7 @@ answer() {
     *) set -- "$@" --on-error nan --tolerance inf ;;
     esac
     "$@" > "$to" 2> "$work/messages" < /dev/null || status=$?
-    echo "exit $status" | cat "$work/messages" - >> "$to"
+    { grep -v '^wine: ' "$work/messages" || true; echo "exit $status"; } >> "$to" # wine's own, now and then
 }
 
 # answers COMMAND FOLDER: in all cases.
