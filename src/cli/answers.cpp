@@ -62,10 +62,10 @@ bool has_other_names(const stream::InputOptions& input, std::string_view text) {
     bool has_names = false;
     while (!text.empty() && input.columns.empty() && input.columns_of) {
         const stream::Line line = stream::next_line(text);
-        const stream::HeaderLine header(line, input.delimiter.value_or(stream::Delimiter::of_row(line.text)));
         if (!input.is_row(line.text)) {
             continue;
         }
+        const stream::HeaderLine header(line, input.delimiter.value_or(stream::Delimiter::of_row(line.text)));
         if (std::ranges::any_of(header.fields, stream::is_number)) {
             return has_names;
         }
@@ -199,7 +199,8 @@ private:
         if (outcome.serves && depth > 0 && !(is_choice && outcome.has_other_names)) {
             Attempt whole = attempt;
             whole.words.insert(std::ranges::find(whole.words, "--"), axes_.begin(), axes_.end());
-            const std::string command = (outcome_of(whole).serves ? whole : attempt).command();
+            const bool has_axes = !axes_.empty() && outcome_of(whole).serves;
+            const std::string command = (has_axes ? whole : attempt).command();
             if (command.size() + std::string_view("try: ").size() <= longest && shown(command) == command &&
                 std::ranges::count(found_, command) == 0) {
                 found_.push_back(command);
