@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <list>
 #include <utility>
 
 #ifndef BOOST_NO_CXX98_FUNCTION_BASE
@@ -365,6 +367,33 @@ void Wide::series_of(const Wide& rest, Wide& sine, Wide& cosine) noexcept {
 }
 
 void Wide::sine_cosine(const Wide& angle, bool in_degrees, Wide& sine, Wide& cosine) noexcept {
+    struct Known {
+        Number angle{};
+        bool in_degrees = false;
+        int bits = 0;
+        Wide sine, cosine;
+    };
+    thread_local std::list<Known> all; // the latest first: the angles of fixed rotations come again with each row
+    constexpr std::size_t most = 64;
+    const Number& n = *angle.number_;
+    const auto is_same = [&](const Known& known) {
+        return known.bits == work_bits && known.in_degrees == in_degrees && known.angle.e == n.e &&
+               known.angle.r.v == n.r.v && known.angle.r.x == n.r.x && known.angle.m == n.m;
+    };
+    auto known = std::find_if(all.begin(), all.end(), is_same);
+    if (known == all.end()) {
+        known = all.size() < most ? all.emplace(all.end()) : std::prev(all.end());
+        find_sine_cosine(angle, in_degrees, known->sine, known->cosine);
+        known->angle = n;
+        known->in_degrees = in_degrees;
+        known->bits = work_bits;
+    }
+    all.splice(all.begin(), all, known);
+    sine = known->sine;
+    cosine = known->cosine;
+}
+
+void Wide::find_sine_cosine(const Wide& angle, bool in_degrees, Wide& sine, Wide& cosine) noexcept {
     const int own_bits = work_bits;
     work_bits = own_bits + 64 + static_cast<int>(std::max<Exponent>(0, angle.number_->top()));
     const Wide quarter = half_turn(in_degrees).shifted(-1);
