@@ -43,8 +43,7 @@ namespace rotconv::quaternion {
 [[nodiscard]] Reading to_rotation_of_any_size(const Eigen::Quaterniond& q, double tolerance) noexcept;
 
 [[gnu::always_inline]] inline Reading to_rotation(const Eigen::Quaterniond& q, double tolerance) noexcept {
-    const Rotation rotation = Rotation::near_unit(q.w(), q.x(), q.y(), q.z());
-    const double excess = std::fabs(rotation.squared_norm() - 1.0);
+    const double excess = std::fabs(squared_norm(q.w(), q.x(), q.y(), q.z()) - 1.0);
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ // then the comparison is no check for nan
     const bool is_finite =
         has_finite_bits(q.w()) && has_finite_bits(q.x()) && has_finite_bits(q.y()) && has_finite_bits(q.z());
@@ -53,7 +52,7 @@ namespace rotconv::quaternion {
 #endif
     // | |q| - 1 | = | |q|^2 - 1 |/(|q| + 1)
     if (is_finite && excess <= reported_defect && excess <= tolerance) [[likely]] {
-        return {rotation, excess};
+        return {Rotation::near_unit(q.w(), q.x(), q.y(), q.z()), excess};
     }
     return to_rotation_of_any_size(q, tolerance);
 }

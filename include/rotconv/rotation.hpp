@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -31,6 +32,11 @@ namespace rotconv {
 #else
     return a * b;
 #endif
+}
+
+/// |q|^2 of any quaternion.
+[[nodiscard, gnu::always_inline]] inline double squared_norm(double w, double x, double y, double z) noexcept {
+    return (rounded_product(w, w) + rounded_product(x, x)) + (rounded_product(y, y) + rounded_product(z, z));
 }
 
 /// A matrix of Eigen whose size is known only at run time.
@@ -71,15 +77,18 @@ public:
     /// 2^1074 times smaller than the largest become 0.
     /// @throw std::invalid_argument if all components are 0 or one is not finite
     static Rotation from_components(double w, double x, double y, double z) {
-        const double square = near_unit(w, x, y, z).squared_norm();
+        const double square = rotconv::squared_norm(w, x, y, z);
         if (!(square > 0x1p-900 && square < 0x1p900)) [[unlikely]] {
             return scaled(w, x, y, z);
         }
         return with_square(square, w, x, y, z);
     }
 
-    /// The same for a quaternion with |q|^2 in [1/4, 4).
-    static Rotation near_unit(double w, double x, double y, double z) noexcept { return {w, x, y, z}; }
+    /// The same for a quaternion with |q|^2 in [1/4, 4). Exact.
+    static Rotation near_unit(double w, double x, double y, double z) noexcept {
+        assert(!(rotconv::squared_norm(w, x, y, z) < 0.25) && !(rotconv::squared_norm(w, x, y, z) >= 4.0));
+        return {w, x, y, z};
+    }
 
     [[nodiscard]] double w() const noexcept { return q_[0]; }
     [[nodiscard]] double x() const noexcept { return q_[1]; }
@@ -91,10 +100,7 @@ public:
     [[nodiscard]] double along(int axis) const noexcept { return q_[static_cast<std::size_t>(axis) + 1]; }
 
     /// |q|^2, in [1/4, 4).
-    [[nodiscard]] double squared_norm() const noexcept {
-        return (rounded_product(q_[0], q_[0]) + rounded_product(q_[1], q_[1])) +
-               (rounded_product(q_[2], q_[2]) + rounded_product(q_[3], q_[3]));
-    }
+    [[nodiscard]] double squared_norm() const noexcept { return rotconv::squared_norm(q_[0], q_[1], q_[2], q_[3]); }
 
     /// |(x, y, z)| with full relative accuracy at any size: 0 only if the vector part is exactly 0.
     [[nodiscard]] double vector_length() const noexcept;

@@ -114,11 +114,6 @@ std::vector<Candidate> candidates_of(std::size_t count, std::optional<Representa
     return candidates;
 }
 
-Rotation rotation_at(const std::vector<double>& quaternions, std::size_t row) noexcept {
-    const double* q = quaternions.data() + 4 * row;
-    return Rotation::near_unit(q[0], q[1], q[2], q[3]);
-}
-
 /// Numbers by which attitudes are compared, to 1e-6, whatever the signs of the quaternions: generic ones differ by more
 /// where candidates differ in meaning.
 std::vector<std::int64_t> fingerprint(std::span<const Rotation> attitudes) {
@@ -203,7 +198,7 @@ std::vector<Rotation> Identification::attitudes_of(const Candidate& candidate, d
     Conversion(candidate.spec, Spec{}, {.tolerance = tolerance}).run(ordered, quaternions, reports);
     std::vector<Rotation> attitudes(numbers.size() / width);
     for (std::size_t i = 0; i < attitudes.size(); ++i) {
-        attitudes[i] = rotation_at(quaternions, i);
+        attitudes[i] = rotation_at(quaternions.data() + 4 * i);
     }
     return attitudes;
 }
@@ -253,7 +248,8 @@ std::size_t Identification::try_rows(std::span<const double> numbers, std::span<
         const auto own = attitudes_of(candidates_[reader], settings_.tolerance,
                                       numbers.subspan(first * width, count * width), width, found_);
         for (std::size_t i = 0; i < count; ++i) {
-            angles_[reader * count + i] = angle_of_row(candidates_[reader], own[i], rotation_at(known_, first + i));
+            angles_[reader * count + i] =
+                angle_of_row(candidates_[reader], own[i], rotation_at(known_.data() + 4 * (first + i)));
         }
     }
     for (std::size_t row = 0; row < count; ++row) {
@@ -274,7 +270,7 @@ std::size_t Identification::try_rows(std::span<const double> numbers, std::span<
             continue;
         }
         ++rows_;
-        remember(row_numbers, rotation_at(known_, at), rows[at]);
+        remember(row_numbers, rotation_at(known_.data() + 4 * at), rows[at]);
         bool are_others = rows_ == rows_for_all;
         std::erase_if(living_, [&](std::size_t living) {
             Candidate& candidate = candidates_[living];
@@ -284,7 +280,7 @@ std::size_t Identification::try_rows(std::span<const double> numbers, std::span<
             return is_dropped(candidate);
         });
         if (are_others) {
-            choose_living(row_numbers, rotation_at(known_, at), rows[at]);
+            choose_living(row_numbers, rotation_at(known_.data() + 4 * at), rows[at]);
             return row + 1;
         }
     }
@@ -335,11 +331,8 @@ void Identification::remember(std::span<const double> numbers, const Rotation& k
         kept_.known.push_back(known);
         kept_.rows.push_back(row);
     }
-    const auto squared_sine = [](const Rotation& q) { // of half the angle
-        return (q.x() * q.x() + q.y() * q.y() + q.z() * q.z()) / q.squared_norm();
-    };
-    spread_ = std::max(spread_, squared_sine(known.inverse() * kept_.known.front()));
-    greatest_angle_ = std::max(greatest_angle_, squared_sine(known));
+    spread_ = std::max(spread_, squared_sine_of_half(known.inverse() * kept_.known.front()));
+    greatest_angle_ = std::max(greatest_angle_, squared_sine_of_half(known));
     const Eigen::Vector3d u(known.x(), known.y(), known.z());
     scatter_ += u * u.transpose();
     for (std::size_t i = 0; i < count_; ++i) {

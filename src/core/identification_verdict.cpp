@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numbers>
 #include <utility>
 #include <variant>
 
@@ -35,10 +36,12 @@ ConstantRotations constant_rotations(AlignedSide side, const Attitudes& unknown,
     return alignment.some_rotations();
 }
 
-/// Whether no angle between them is beyond the limit.
+/// Whether no angle between them is beyond the limit, without an arctangent: it is asked of all pairs of candidates.
 bool are_near(const Attitudes& a, const Attitudes& b, double limit) {
-    return std::ranges::equal(a, b,
-                              [limit](const Rotation& x, const Rotation& y) { return angle_between(x, y) <= limit; });
+    const double sine = std::sin(0.5 * std::min(limit, std::numbers::pi));
+    return std::ranges::equal(a, b, [sine](const Rotation& x, const Rotation& y) {
+        return squared_sine_of_half(x * y.inverse()) <= sine * sine;
+    });
 }
 
 /// The rotation that only permutes and negates axes whose matrix is the rounded one; without it, the rotation itself.

@@ -38,7 +38,7 @@ std::optional<Rotation> interpolate(const Rotation& a, const Rotation& b, double
     const double of_a = sine_of_h > 0.0 ? sine((1.0 - fraction) * h) / sine_of_h : 1.0 - fraction;
     const double of_b = sine_of_h > 0.0 ? sine(fraction * h) / sine_of_h : fraction;
     const Vector4d r = of_a * p + (sign * of_b) * q;
-    return Rotation::near_unit(r[0], r[1], r[2], r[3]);
+    return rotation_at(r.data());
 }
 
 } // namespace rotconv

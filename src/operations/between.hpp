@@ -8,6 +8,7 @@
 #include <rotconv/conversion.hpp>
 #include <rotconv/rotation.hpp>
 
+#include "../core/representations/rotation_angle.hpp"
 #include "../stream/row_operation.hpp"
 #include "operations.hpp"
 
@@ -15,10 +16,6 @@ namespace rotconv::operations {
 
 inline void append(std::vector<double>& to, std::span<const double> numbers) {
     to.insert(to.end(), numbers.begin(), numbers.end());
-}
-
-[[nodiscard]] inline Rotation rotation_at(const double* q) noexcept {
-    return Rotation::near_unit(q[0], q[1], q[2], q[3]);
 }
 
 /// The function of rows of two attitudes as they are read. A row between neighbours that are half a turn apart has the

@@ -6,6 +6,7 @@
 
 #include "../numerics/elementary.hpp"
 #include "../representations/codec.hpp"
+#include "../representations/rotation_angle.hpp"
 
 namespace rotconv {
 namespace {
@@ -20,11 +21,9 @@ constexpr double greatest_explanation = 1e15;
 using Numbers = Eigen::Matrix<double, 9, 1>;
 using Unit = Eigen::Vector4d; ///< a unit quaternion
 
-Rotation rotation_of(const Unit& q) noexcept { return Rotation::near_unit(q[0], q[1], q[2], q[3]); }
-
 Numbers numbers_of(const Spec& spec, const Unit& q) noexcept {
     Numbers numbers = Numbers::Zero();
-    write_row(spec, rotation_of(q), numbers.data());
+    write_row(spec, rotation_at(q.data()), numbers.data());
     return numbers;
 }
 
@@ -102,7 +101,7 @@ void Survey::add(const Rotation& rotation, std::size_t row) noexcept {
     const double angle = arc.angle();
     for (std::size_t i = 0; i < surveys_.size(); ++i) {
         RepresentationSurvey& survey = surveys_[i];
-        const Sensitivity sensitivity = codec_of(survey.spec.name).sensitivity(survey.spec, rotation_of(now));
+        const Sensitivity sensitivity = codec_of(survey.spec.name).sensitivity(survey.spec, rotation_at(now.data()));
         const State state{numbers_of(survey.spec, now), sensitivity.condition};
         if (rows_ == 0 || sensitivity.margin < survey.least_margin) {
             survey.least_margin = sensitivity.margin;

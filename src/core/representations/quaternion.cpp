@@ -17,13 +17,13 @@ Reading to_rotation_of_any_size(const Eigen::Quaterniond& q, double tolerance) n
 }
 
 double defect(const Eigen::Quaterniond& q) noexcept {
-    const double square = Rotation::near_unit(q.w(), q.x(), q.y(), q.z()).squared_norm();
+    const double square = squared_norm(q.w(), q.x(), q.y(), q.z());
     if (square > 0x1p-900 && square < 0x1p900) {
         return std::fabs(std::sqrt(square) - 1.0);
     }
     const auto scale = PowerOfTwo::to_unit(largest_magnitude(q.w(), q.x(), q.y(), q.z()));
-    const Rotation scaled = Rotation::near_unit(scale(q.w()), scale(q.x()), scale(q.y()), scale(q.z()));
-    return std::fabs(scale.undone(std::sqrt(scaled.squared_norm())) - 1.0);
+    const double scaled = squared_norm(scale(q.w()), scale(q.x()), scale(q.y()), scale(q.z()));
+    return std::fabs(scale.undone(std::sqrt(scaled)) - 1.0);
 }
 
 Sensitivity sensitivity(const Rotation& /*rotation*/) noexcept { return {.condition = 0.5}; }

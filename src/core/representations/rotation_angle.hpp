@@ -8,6 +8,14 @@
 
 namespace rotconv {
 
+/// That of w, x, y, z, |q|^2 in [1/4, 4) or nan.
+inline Rotation rotation_at(const double* q) noexcept { return Rotation::near_unit(q[0], q[1], q[2], q[3]); }
+
+/// sin^2 of half its angle.
+inline double squared_sine_of_half(const Rotation& q) noexcept {
+    return (q.x() * q.x() + q.y() * q.y() + q.z() * q.z()) / q.squared_norm();
+}
+
 /// The angle of the rotation, in [0, pi].
 inline double angle_of(const Rotation& rotation) noexcept {
     return 2.0 * angle_of(std::fabs(rotation.w()), rotation.vector_length(), AngleUnit::radians).hi;
