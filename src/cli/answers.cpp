@@ -23,6 +23,7 @@ struct Attempt {
     std::vector<std::string> words;
     std::string pipe{};                ///< see Mend
     std::optional<std::string> text{}; ///< the beginning of its input; nothing: not at hand, or in the FILE
+    std::string piped{};               ///< that of stdin, if it is at hand
 
     [[nodiscard]] Attempt after(const Mend& mend, bool is_ordered = true) const {
         Attempt next = *this;
@@ -60,6 +61,7 @@ struct Attempt {
 /// Whether the rows have names that are not those of the attitude: that they are as many as its numbers proves nothing.
 bool has_other_names(const stream::InputOptions& input, std::string_view text) {
     bool has_names = false;
+    bool has_row = false;
     while (!text.empty() && input.columns.empty() && input.columns_of) {
         const stream::Line line = stream::next_line(text);
         if (!input.is_row(line.text)) {
@@ -67,14 +69,14 @@ bool has_other_names(const stream::InputOptions& input, std::string_view text) {
         }
         const stream::HeaderLine header(line, input.delimiter.value_or(stream::Delimiter::of_row(line.text)));
         if (std::ranges::any_of(header.fields, stream::is_number)) {
-            return has_names;
-        }
-        if (input.columns_of(header.names()).are_known) {
+            has_row = true;
+        } else if (input.columns_of(header.names()).are_known) {
             return false;
+        } else {
+            has_names = has_names || !has_row;
         }
-        has_names = true;
     }
-    return false;
+    return has_names;
 }
 
 /// What came of an attempt.
@@ -82,13 +84,21 @@ struct Outcome {
     bool serves = false;
     bool has_other_names = false;           ///< in its header
     bool is_tried = false;                  ///< on the first rows
+    bool is_of_project = false;             ///< which has several SPECs
+    bool is_of_values = false;              ///< which mean another SPEC
+    std::optional<Mend> in_degrees{};       ///< where its angles are large
     std::vector<std::vector<Mend>> mends{}; ///< otherwise: the first group of which one serves counts
 };
 
 /// Runs the rows at hand, and tells nothing.
 Outcome outcome_of(const RowsCommand& command, const std::string& text, bool whole) {
     std::optional<stream::RowError> wrong;
-    const auto take = [&wrong](const stream::Event& event) {
+    std::optional<Mend> in_degrees;
+    const auto take = [&](const stream::Event& event) {
+        const auto* const diagnostic = std::get_if<stream::Diagnostic>(&event);
+        if (diagnostic != nullptr && diagnostic->kind == DiagnosticKind::large_angle) {
+            in_degrees = Mend{{{{Edit::at_end}, 0, {"-d"}}}};
+        }
         if (const auto* const error = std::get_if<stream::RowError>(&event); error != nullptr && !wrong) {
             wrong = *error;
         }
@@ -109,7 +119,7 @@ Outcome outcome_of(const RowsCommand& command, const std::string& text, bool who
     const auto ending = stream::run(source, nullptr, options, take, reference ? &*reference : nullptr);
     if (ending.answered > 0 && (!whole || (!ending.error && !wrong))) {
         const bool has_others = !command.has_values && has_other_names(options.input, text);
-        return {.serves = true, .has_other_names = has_others, .is_tried = !has_others};
+        return {.serves = true, .has_other_names = has_others, .is_tried = !has_others, .in_degrees = in_degrees};
     }
     using What = stream::StreamError::What;
     if (command.has_values || options.input.width > 0 || (wrong && wrong->place.is_in_reference())) {
@@ -132,11 +142,13 @@ Outcome outcome_of(const Attempt& attempt, bool whole = false) {
         if (rows == nullptr) {
             return {.serves = true};
         }
-        const auto text = attempt.text || !attempt.pipe.empty() ? attempt.text : first_bytes(rows->input);
+        const auto text = attempt.text || !attempt.pipe.empty()          ? attempt.text
+                          : rows->input == "-" && !attempt.piped.empty() ? std::optional(attempt.piped)
+                                                                         : first_bytes(rows->input);
         return rows->has_values || text ? outcome_of(*rows, text.value_or(""), whole || !attempt.pipe.empty())
                                         : Outcome{.serves = true};
     } catch (const Usage& error) {
-        Outcome outcome;
+        Outcome outcome{.is_of_project = error.is_choice, .is_of_values = !error.specs.empty()};
         for (const Mend& mend : error.mends) { // each is a reading of its own
             outcome.mends.empty() ? outcome.mends.push_back({mend}) : outcome.mends.front().push_back(mend);
         }
@@ -196,6 +208,11 @@ private:
             return;
         }
         const Outcome outcome = outcome_of(attempt, depth == deepest);
+        if (outcome.serves && depth > 0 && outcome.in_degrees) {
+            follow(attempt.after(*outcome.in_degrees), deepest, is_choice);
+            return;
+        }
+        is_of_project_ = is_of_project_ || outcome.is_of_project;
         if (outcome.serves && depth > 0 && !(is_choice && outcome.has_other_names)) {
             Attempt whole = attempt;
             whole.words.insert(std::ranges::find(whole.words, "--"), axes_.begin(), axes_.end());
@@ -206,7 +223,8 @@ private:
                 found_.push_back(command);
             }
         }
-        const bool is_done = outcome.serves || depth == deepest;
+        // the SPECs of a project are not those that others write in the same words
+        const bool is_done = outcome.serves || depth == deepest || (is_of_project_ && outcome.is_of_values);
         for (auto group = outcome.mends.begin(); group != outcome.mends.end() && !is_done; ++group) {
             const std::size_t before = found_.size();
             for (const Mend& mend : *group) {
@@ -225,6 +243,7 @@ private:
     std::vector<std::string> found_{};
     std::vector<std::string> axes_; ///< options for all
     int left_ = 100;                ///< attempts
+    bool is_of_project_ = false;    ///< the command names a project that has several SPECs
 };
 
 } // namespace
@@ -251,6 +270,8 @@ std::string answers(const std::vector<std::string>& words, std::optional<std::st
     Attempt wrong{with_input(words)};
     if (wrong.words == words && beginning) {
         wrong.text = std::string(*beginning);
+    } else if (wrong.words == words) {
+        wrong.piped = stream::File::lines_of_pipe();
     }
     const Search search(wrong);
     for (const std::string& command : search.found()) {

@@ -63,7 +63,6 @@ std::optional<std::pair<std::string, std::vector<stream::Note>>> row_of_text(std
                                                                              const stream::RowNumbers& numbers,
                                                                              const std::string& from,
                                                                              std::string_view comment) {
-    const std::size_t count = numbers.names.size();
     const bool has_marks = text.find_first_of("[](){}<>:=") != std::string_view::npos;
     bool is_matrix = numbers.attitude->name == RepresentationId::dcm; // of three or four lines
     std::string rows;
@@ -91,19 +90,13 @@ std::optional<std::pair<std::string, std::vector<stream::Note>>> row_of_text(std
     if (!has_marks && !(is_matrix && (lines == 3 || lines == 4))) {
         return std::nullopt;
     }
-    try {
-        Values values = values_of({rows}, std::nullopt, numbers, from, false);
-        std::vector<std::string_view> fields;
-        static_cast<void>(values.delimiter.split(values.row, fields));
-        if (fields.size() != count || !std::ranges::all_of(fields, stream::is_number)) {
-            return std::nullopt;
-        }
-        values.notes.insert(values.notes.begin(), {stream::Note::Kind::text, "the input is one attitude, not rows of "
-                                                                             "numbers, and is read like VALUEs"});
-        return std::pair(std::move(values.row), std::move(values.notes));
-    } catch (const Usage&) {
+    auto values = attitude_in(rows, numbers, from);
+    if (!values) {
         return std::nullopt;
     }
+    values->notes.insert(values->notes.begin(), {stream::Note::Kind::text, "the input is one attitude, not rows of "
+                                                                           "numbers, and is read like VALUEs"});
+    return std::pair(std::move(values->row), std::move(values->notes));
 }
 
 struct ConvertOptions final : RowOptions {

@@ -8,11 +8,13 @@
 
 #include "../core/projects.hpp"
 #include "../methods/method.hpp"
+#include "../operations/operations.hpp"
 #include "../stream/file.hpp"
 #include "../stream/number_text.hpp"
 #include "command.hpp"
 #include "meanings.hpp"
 #include "messages.hpp"
+#include "value_text.hpp"
 
 namespace rotconv::cli::messages {
 namespace {
@@ -72,6 +74,48 @@ Words sequences_in(std::string_view text) {
     return specs;
 }
 
+/// The SPEC whose parts are joined in another way, as in eulZYX, quat_xyzw and "euler 3-1-3 deg", or whose columns are
+/// listed, as in "roll pitch yaw"; or empty.
+std::string spec_of_parts(std::string text) {
+    std::ranges::replace_if(
+        text, [](char c) { return std::string_view("-,/").find(c) != std::string_view::npos; }, ' ');
+    auto names = all_names();
+    names.insert(names.begin(), {"quat", "quat:xyzw"});
+    for (const std::string_view each : names) {
+        const auto parsed = parse_spec(each);
+        const Spec* const spec = std::get_if<Spec>(&parsed);
+        const auto columns = spec == nullptr ? Words() : operations::names_of(*spec);
+        if (text.find(' ') != std::string::npos && columns.size() > 2 &&
+            lower(without_marks(joined(columns, ""))) == lower(without_marks(text))) {
+            return std::string(each);
+        }
+    }
+    std::string name;
+    std::string sequence;
+    std::string modifiers;
+    Words parts;
+    bool was_single = false;
+    for (const std::string& part : parts_of_label(text)) { // 3-1-3 is one
+        const bool is_single = part.size() == 1;
+        is_single&& was_single ? parts.back() += part : parts.emplace_back(part);
+        was_single = is_single;
+    }
+    for (const std::string& part : parts) {
+        const Meaning* const meaning = find_meaning(part);
+        const bool is_euler = meaning != nullptr && meaning->instead.find("euler:") != std::string_view::npos;
+        const std::string said = is_euler ? "euler" : convention_in(part);
+        if (EulerSequence::parse(said) && sequence.empty()) {
+            sequence = ":" + said;
+        } else if (is_euler || is_spec(said.empty() ? part : said)) {
+            name = name.empty() || name == "euler" ? (said.empty() ? part : said) : "none";
+        } else {
+            modifiers += ":" + (said.empty() ? "none" : said);
+        }
+    }
+    const std::string spec = (name.empty() && !sequence.empty() ? "euler" : name) + sequence + modifiers;
+    return is_spec(spec) ? spec : "";
+}
+
 /// What may be meant by a word, as Meaning::instead says it: what it means elsewhere, another way of writing what is
 /// known, or the legal word that is spelled nearly so.
 Words meant(std::string_view word, const Legal& legal) {
@@ -81,16 +125,16 @@ Words meant(std::string_view word, const Legal& legal) {
         texts.push_back(joined(words_in(each), " "));
     }
     const std::string bare(word.substr(std::min(word.find_first_not_of('-'), word.size())));
-    std::string spec = bare; // such as quat_xyzw
-    std::ranges::replace_if(
-        spec, [](char c) { return c == '_' || c == '-'; }, ':');
     const Project* const project = find_project(bare);
     if (!texts.front().empty()) {
         return texts;
     }
     texts = is_spec(bare) ? Words{bare} : sequences_in(bare);
-    if (!texts.empty() || is_spec(spec)) {
-        return texts.empty() ? Words{spec} : texts;
+    if (const std::string spec = texts.empty() ? spec_of_parts(bare) : ""; !spec.empty()) {
+        return {spec};
+    }
+    if (!texts.empty()) {
+        return texts;
     }
     if (is_spec("quat:" + bare) || (project != nullptr && is_preset(project->text))) { // a modifier
         return {":" + (project != nullptr ? std::string(project->text) : bare)};
@@ -132,6 +176,9 @@ Words meant_specs(const std::string& text, const SpecError& error) {
     }
     Words specs;
     for (const std::string& each : error.what == What::meaningless_modifier ? Words{"-"} : meant(error.text, legal)) {
+        if (each == ":ARG") { // of an option
+            continue;
+        }
         const bool is_modifier = each.starts_with(':') || (!is_name && !is_spec(each) && each != "-");
         const Words made = each == "-"   ? Words{is_name ? "" : with_rest(name)}
                            : is_modifier ? with_modifier(with_rest(name), each.substr(each.starts_with(':') ? 1 : 0))
@@ -247,7 +294,7 @@ private:
             if (option == nullptr || !option->given() || (is_inverse && !mends.empty())) {
                 continue;
             }
-            for (const std::string& spec : with_modifier(option->text(), modifier)) {
+            for (const std::string& spec : filtered(with_modifier(option->text(), modifier), is_spec)) {
                 mends.push_back(mend);
                 mends.back().edits.push_back(OptionSet::setting(*option, spec));
             }
@@ -345,10 +392,13 @@ std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at) {
         }
         return mends;
     }
+    if (word.size() == 1 && !is_alphanumeric(word[0]) && at > 0 && options.words[at - 1] == "-d") { // as in cut
+        return {{{{{at - 1}, 2, {"--delimiter", word}}}}};
+    }
     const auto two = word.find('2');
     if (two != std::string::npos && two > 0 && std::ranges::all_of(word, is_alphanumeric)) { // rpy2quat
         const auto names_of_one = [](const std::string& name) {
-            return meant(name == "e" || lower(name) == "angle" ? "euler" : name, {});
+            return name == "e" || lower(name) == "angle" || lower(name) == "eul" ? Words{"euler:ZYX"} : meant(name, {});
         };
         const auto of_matlab = [](const std::string& spec) { return spec == "dcm" ? "dcm:passive" : spec; };
         for (const std::string& first : names_of_one(word.substr(0, two))) {

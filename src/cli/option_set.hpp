@@ -53,7 +53,8 @@ public:
 
     std::vector<Mend> mends{};
     std::string otherwise{};
-    bool is_choice = false; ///< nothing is wrong if one of the mends alone serves
+    std::vector<std::string> specs{}; ///< that may be meant in the place of --from
+    bool is_choice = false;           ///< nothing is wrong if one of the mends alone serves
 };
 
 /// The same, where a SPEC is not given.

@@ -10,11 +10,13 @@
 #include <rotconv/spec.hpp>
 
 #include "../operations/operations.hpp"
+#include "../stream/file.hpp"
 #include "../stream/header_line.hpp"
 #include "../stream/number_text.hpp"
 #include "../stream/preamble.hpp"
 #include "answers.hpp"
 #include "column_names.hpp"
+#include "values.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -47,6 +49,53 @@ struct Filter {
 };
 constexpr auto filters =
     std::to_array<Filter>({{"tr , .", ',', '.'}, {R"(tr , '\t')", ',', '\t'}, {"tr -d '\"'", '"'}});
+
+/// What takes all but its numbers out of a line. A word may have digits.
+constexpr std::string_view numbers_filter = "sed -E 's/(^|[^0-9.])[A-Za-z_][A-Za-z_0-9]*/ /g; s/[^-+0-9.eE]/ /g'";
+bool is_letter(char c) { return c == '_' || (is_alphanumeric(c) && (c < '0' || c > '9')); }
+std::string numbers_alone(std::string_view line) {
+    std::string made(line);
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const bool begins = i == 0 && is_letter(line[0]);
+        const bool is_before = std::string_view("0123456789.").find(line[i]) == std::string_view::npos &&
+                               i + 1 < line.size() && is_letter(line[i + 1]);
+        if (begins || is_before) {
+            const std::size_t first = begins ? i : i + 1;
+            const auto* const end = std::find_if_not(line.begin() + first, line.end(),
+                                                     [](char c) { return c == '_' || is_alphanumeric(c); });
+            std::fill(made.begin() + static_cast<std::ptrdiff_t>(i), made.begin() + (end - line.begin()), ' ');
+            i = static_cast<std::size_t>(end - line.begin()) - 1;
+        }
+    }
+    std::ranges::replace_if(
+        made, [](char c) { return std::string_view("-+0123456789.eE").find(c) == std::string_view::npos; }, ' ');
+    return made;
+}
+
+/// The parts of a line that may be an attitude: all of it, and what is in brackets, perhaps with a name before.
+std::vector<std::string> parts_of_line(const std::string& line) {
+    std::vector<std::string> parts{line};
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char open = line[i];
+        if (std::string_view("[({").find(open) == std::string_view::npos) {
+            continue;
+        }
+        std::size_t begin = i;
+        std::size_t end = i;
+        for (int depth = 0; end < line.size(); ++end) {
+            depth += std::string_view("[({").find(line[end]) != std::string_view::npos ? 1 : 0;
+            depth -= std::string_view("])}").find(line[end]) != std::string_view::npos ? 1 : 0;
+            if (depth == 0) {
+                break;
+            }
+        }
+        parts.push_back(line.substr(i, end + 1 - i));
+        for (; begin > 0 && is_letter(line[begin - 1]); --begin) {
+        }
+        parts.push_back(line.substr(begin, end + 1 - begin));
+    }
+    return parts;
+}
 
 /// Whether it may stand in a LIST as it is.
 bool is_plain(const std::string& name) {
@@ -82,6 +131,7 @@ public:
         offer({setting("--comment", mark.empty() ? "COMMENT" : std::string(mark))});
         offer_matrices();
         offer_kinds();
+        offer_attitudes();
         offer_text("", std::string(text_));
         for (std::size_t i = rows_.size();
              i-- > std::max<std::size_t>(at_, 1);) { // of several blocks of numbers the last
@@ -122,21 +172,30 @@ private:
                 return names.size() == fields.size();
             }
         }
-        const std::string numbers = numbers_among(fields);
-        if (!numbers.empty()) {
+        if (const std::string numbers = numbers_among(fields); !numbers.empty()) {
             offer({setting("--columns", numbers)});
-        } else if (is_alone && spec_->name == RepresentationId::dcm) {
-            offer({setting("--columns", "1-3,5-7,9-11")});
-        } else if (is_alone && spec_->name == RepresentationId::quat && !input_.columns.has_names()) {
-            for (std::size_t i = 0; i + count_ <= fields.size(); ++i) {
-                const auto columns = setting("--columns", fmt::format("{}-{}", i + 1, i + count_));
-                offer({columns});
-                if (!spec_->has_given_order && spec_->project == nullptr && !mends_.empty()) {
-                    mends_.back().push_back({{*columns, *setting("--from", "quat:xyzw")}});
-                }
-            }
+        } else {
+            offer_choices(fields.size());
         }
         return true;
+    }
+    /// Offers columns of a row of so many fields that may be an attitude: a matrix of 3x4 or 4x4; or those that are a
+    /// unit quaternion, whose order is not known.
+    void offer_choices(std::size_t fields, const std::string& pipe = {}, const std::string& text = {}) {
+        const bool is_alone = spec_ && spec_->size() == count_ && !input_.columns.has_names();
+        if (is_alone && spec_->name == RepresentationId::dcm) {
+            offer({setting("--columns", "1-3,5-7,9-11")}, pipe, text);
+        }
+        for (std::size_t i = 0; is_alone && spec_->name == RepresentationId::quat && i + count_ <= fields; ++i) {
+            const auto columns = setting("--columns", fmt::format("{}-{}", i + 1, i + count_));
+            offer({columns}, pipe, text);
+            if (!spec_->has_given_order && spec_->project == nullptr && columns) {
+                offer({columns, setting("--from", "quat:xyzw")}, pipe, text);
+                auto other = std::move(mends_.back());
+                mends_.pop_back();
+                std::ranges::move(other, std::back_inserter(mends_.back()));
+            }
+        }
     }
     /// The fields that are numbers, as a LIST, if others are not and they are as many as are wanted; empty if not.
     [[nodiscard]] std::string numbers_among(const std::vector<std::string_view>& fields) const {
@@ -146,8 +205,11 @@ private:
                 columns.push_back(i + 1);
             }
         }
+        const bool has_labels = std::ranges::any_of(rows_, [&fields](const Row& each) { // each line is another thing
+            return fields[0].ends_with(':') && each.has_numbers && each.fields[0] != fields[0];
+        });
         const bool is_range = columns.size() > 2 && columns.back() - columns.front() + 1 == columns.size();
-        return columns.size() != count_ || columns.size() == fields.size() ? ""
+        return columns.size() != count_ || columns.size() == fields.size() || has_labels ? ""
                : is_range ? fmt::format("{}-{}", columns.front(), columns.back())
                           : joined(columns);
     }
@@ -185,10 +247,14 @@ private:
             return static_cast<std::size_t>(row.line.text.data() - text_.data());
         };
         const std::size_t size = is_rest ? std::string_view::npos : place(*end) - place(rows_[begin]);
-        offer_text(is_rest
-                       ? fmt::format("tail -n +{}", begin + 1)
-                       : fmt::format("sed -n {},{}p", begin + 1, first + static_cast<std::size_t>(end - rows.begin())),
-                   std::string(text_.substr(place(rows_[begin]), size)));
+        const std::string pipe =
+            is_rest ? fmt::format("tail -n +{}", begin + 1)
+                    : fmt::format("sed -n {},{}p", begin + 1, first + static_cast<std::size_t>(end - rows.begin()));
+        const std::string text(text_.substr(place(rows_[begin]), size));
+        offer_text(pipe, text);
+        if (begin == first) {
+            offer_choices(rows_[first].fields.size(), pipe, text);
+        }
     }
 
     /// Offers matrices, perhaps of 3x4 or 4x4, of which each row is a line.
@@ -236,6 +302,70 @@ private:
             }
             offer_text("grep " + in_shell("^" + kind), rows);
         }
+    }
+
+    /// Offers the numbers of lines that hold an attitude as VALUEs do, of those with a word of the first one.
+    void offer_attitudes() {
+        const Option* const from = command_->line->find("--from");
+        if (!spec_ || spec_->size() != count_ || from == nullptr) {
+            return;
+        }
+        for (const Row& row : rows_) {
+            std::string line(row.line.text);
+            const auto columns =
+                line.find_first_of("[](){}<>:=") == std::string::npos ? std::nullopt : columns_in(line, from->text());
+            if (!columns) {
+                continue;
+            }
+            const std::size_t width = words_in(numbers_alone(line)).size();
+            std::ranges::replace_if(
+                line, [](char c) { return !is_letter(c) && (c < '0' || c > '9'); }, ' ');
+            auto keys = filtered(words_in(line), [](const std::string& word) { return is_letter(word[0]); });
+            keys.emplace_back("[0-9]"); // all with numbers
+            for (const std::string& key : keys) {
+                std::string lines;
+                bool are_like = true;
+                for (const Row& each : rows_) {
+                    const bool has_key = each.line.text.find_first_of("0123456789") != std::string_view::npos &&
+                                         (&key == &keys.back() || each.line.text.find(key) != std::string_view::npos);
+                    const std::string numbers = has_key ? numbers_alone(each.line.text) : "";
+                    are_like = are_like && (!has_key || words_in(numbers).size() == width);
+                    lines += has_key ? numbers + "\n" : "";
+                }
+                if (are_like) {
+                    offer({setting("--columns", *columns)}, "grep " + in_shell(key), lines,
+                          fmt::format(" | {}", numbers_filter));
+                    return;
+                }
+            }
+            return;
+        }
+    }
+    /// Which of the numbers of a line are those of an attitude that it holds.
+    [[nodiscard]] std::optional<std::string> columns_in(const std::string& line, const std::string& from) const {
+        for (const std::string& part : parts_of_line(line)) {
+            std::string before = line.substr(0, line.find(part));
+            const std::size_t first = words_in(numbers_alone(before)).size();
+            // each number by its index
+            const std::string alone = numbers_alone(part);
+            std::string counted_part;
+            std::size_t count = 0;
+            for (std::size_t i = 0; i < part.size(); ++i) {
+                const bool is_of_number = alone[i] != ' ';
+                if (!is_of_number) {
+                    counted_part += part[i];
+                } else if (i == 0 || alone[i - 1] == ' ') {
+                    counted_part += fmt::format("{}", first + ++count);
+                }
+            }
+            if (const auto values = attitude_in(counted_part, input_.numbers, from);
+                values && !values->has_other_label) {
+                std::string columns = values->row;
+                std::ranges::replace(columns, ' ', ',');
+                return columns;
+            }
+        }
+        return std::nullopt;
     }
 
     static constexpr std::size_t most_kinds = 4;
@@ -361,14 +491,17 @@ std::vector<double> numbers_in(std::string text) {
     return numbers;
 }
 
-/// The SPECs that have as many numbers, which `said` names with their orders.
+constexpr auto possible_specs =
+    std::to_array<std::string_view>({"quat", "quat:xyzw", "rpy", "rotvec", "axis-angle", "dcm", "dcm:passive", "6d",
+                                     "5d", "euler:ZYX", "cayley", "mrp"});
+
+/// The SPECs that have as many numbers, which `said` names with their orders; all where none has.
 std::vector<std::string> specs_of_numbers(const std::vector<double>& numbers, std::string& said) {
     constexpr double most_radians = 6.3;
     const bool is_large = std::ranges::any_of(numbers, [](double number) { return std::abs(number) > most_radians; });
     std::vector<std::string> specs;
     std::vector<std::string> told;
-    for (const std::string_view text : {"quat", "quat:xyzw", "rpy", "rotvec", "axis-angle", "dcm", "dcm:passive", "6d",
-                                        "5d", "euler:ZYX", "cayley", "mrp"}) {
+    for (const std::string_view text : possible_specs) {
         Spec spec = std::get<Spec>(parse_spec(text));
         if (spec.size() == numbers.size()) {
             spec = is_large ? spec.in_degrees() : spec;
@@ -377,11 +510,14 @@ std::vector<std::string> specs_of_numbers(const std::vector<double>& numbers, st
         }
     }
     said += told.empty() ? "" : fmt::format("; {} are {}", counted(numbers.size(), "number"), joined(told, ", "));
-    return specs;
+    return specs.empty() ? std::vector<std::string>(possible_specs.begin(), possible_specs.end()) : specs;
 }
 
 /// The SPECs that a file's names or numbers are; `said` names its columns.
-std::vector<std::string> specs_of_file(const std::string& path, const std::string& bytes, std::string& said) {
+std::vector<std::string> specs_of_file(const std::string& name, const std::string& bytes, std::string& said) {
+    if (bytes.empty()) {
+        return {};
+    }
     constexpr std::array<const char*, 3> known{"quat", "dcm", "rpy"};
     stream::InputOptions input;
     input.columns_of = [&known](const std::vector<std::string>& names) {
@@ -396,12 +532,12 @@ std::vector<std::string> specs_of_file(const std::string& path, const std::strin
     preamble.read(block, true, nowhere);
     const Row row(preamble.has_row() ? stream::next_line(block.text) : stream::Line(), input);
     if (!row.has_numbers) {
-        said += bytes.empty() ? "" : fmt::format("; {} does not begin with a row of numbers", quoted(path));
-        return {};
+        said += fmt::format("; {} does not begin with a row of numbers", name);
+        return {possible_specs.begin(), possible_specs.end()}; // the whole may be one attitude
     }
     const std::vector<std::string>& header = preamble.layout().names;
     const auto names = header.empty() ? std::vector<std::string>(row.fields.begin(), row.fields.end()) : header;
-    said += fmt::format("; {} has {}: {}", quoted(path), counted(row.fields.size(), "column"), numbered(names));
+    said += fmt::format("; {} has {}: {}", name, counted(row.fields.size(), "column"), numbered(names));
     std::vector<std::string> specs;
     for (const char* spec : known) {
         if (find_names(std::get<Spec>(parse_spec(spec)), names)) {
@@ -421,7 +557,8 @@ std::vector<std::vector<Mend>> row_mends(const RowsCommand& command, std::string
 
 Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
     const Option* const from = options.find("--from");
-    const std::string path = options.files.empty() ? options.input.text() : options.files[0];
+    const std::string given = options.files.empty() ? options.input.text() : options.files[0];
+    const std::string path = given.empty() && options.values.empty() ? stream::File::name_of_input() : given;
     const bool lacks_from = std::string_view(error.what()).starts_with("--from");
     std::vector<std::string> specs;
     std::string said = error.what();
@@ -433,8 +570,8 @@ Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
                                                 : std::vector<std::string>{"quat"};
     } else if (!options.values.empty()) {
         specs = specs_of_numbers(numbers_in(joined(options.values, " ")), said);
-    } else if (const auto bytes = path.empty() ? std::nullopt : first_bytes(path)) {
-        specs = specs_of_file(path, *bytes, said);
+    } else if (const auto bytes = path.empty() ? std::optional(stream::File::lines_of_pipe()) : first_bytes(path)) {
+        specs = specs_of_file(path.empty() ? "the input" : quoted(path), *bytes, said);
     }
     std::vector<Mend> mends;
     for (const std::string& spec : specs) {

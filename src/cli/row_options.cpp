@@ -110,6 +110,17 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
     return in;
 }
 
+/// The VALUEs; an error has the SPECs that they mean as its mends.
+Values values_or_mends(const RowOptions& options, const stream::InputOptions& in) {
+    try {
+        return values_of(options.values, in.delimiter, in.numbers, options.from.text(), !in.columns.empty());
+    } catch (Usage& error) {
+        error.mends = mapped(error.specs,
+                             [&](const std::string& spec) { return Mend{{OptionSet::setting(options.from, spec)}}; });
+        throw;
+    }
+}
+
 } // namespace
 
 void RowOptions::check_attitudes() const {
@@ -219,10 +230,10 @@ RowsCommand RowOptions::rows_command(operations::Operation operation, const std:
     command.notes = notes_on_options(*this);
     if (command.has_values) {
         stream::InputOptions& in = command.options.input;
-        Values given = values_of(values, in.delimiter, in.numbers, from.text(), !in.columns.empty());
+        const Values given = values_or_mends(*this, in);
         in.delimiter = given.delimiter;
-        std::ranges::move(given.notes, std::back_inserter(command.notes));
-        command.source = std::make_shared<stream::TextSource>(std::move(given.row));
+        std::ranges::copy(given.notes, std::back_inserter(command.notes));
+        command.source = std::make_shared<stream::TextSource>(given.row);
         in.header = in.header == stream::HeaderMode::add ? in.header : stream::HeaderMode::no;
     }
     return command;

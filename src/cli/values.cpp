@@ -25,6 +25,17 @@ template <class... Arguments>
     throw Usage("argument: {}", fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
+/// The same where other SPECs are meant.
+template <class... Arguments> [[noreturn]] void
+refuse_for(std::vector<std::string> specs, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    try {
+        refuse(format, std::forward<Arguments>(arguments)...);
+    } catch (Usage& error) {
+        error.specs = std::move(specs);
+        throw;
+    }
+}
+
 std::vector<std::string> labels_of(const Numbers& numbers) { return mapped(numbers, &ValueNumber::label); }
 std::vector<std::string> without_empty(const std::vector<std::string>& texts) {
     return filtered(texts, [](const std::string& text) { return !text.empty(); });
@@ -131,6 +142,7 @@ public:
 
     /// What was chosen although the command line does not say it, in one line.
     [[nodiscard]] const std::string& note() const { return note_; }
+    [[nodiscard]] bool has_other_label() const { return has_other_label_; }
 
 private:
     void add_note(std::string_view text) { note_ += (note_.empty() ? "" : "; ") + std::string(text); }
@@ -216,6 +228,7 @@ private:
         }
         if (!label.empty() && !named_representation(name_in(label)) && conventions_in(label).empty()) {
             add_note(fmt::format("the numbers after {} are read as {}", quoted(label), spec().text()));
+            has_other_label_ = true;
         }
         return groups[0];
     }
@@ -341,8 +354,8 @@ private:
                 owners.push_back(name);
             }
         }
-        refuse("the labels {} are not those of {}{}", quoted_list(given), text_of_part(),
-               owners.empty() ? "" : fmt::format(": they are those of {}", joined(owners, ", ")));
+        refuse_for({owners.begin(), owners.end()}, "the labels {} are not those of {}{}", quoted_list(given),
+                   text_of_part(), owners.empty() ? "" : fmt::format(": they are those of {}", joined(owners, ", ")));
     }
 
     // What words of convention say.
@@ -380,7 +393,7 @@ private:
             meant = {.name = *named};
         }
         if (meant.text() != spec().text()) {
-            refuse("{} is {}, not {}", quoted(word), meant.text(), spec().text());
+            refuse_for({meant.text()}, "{} is {}, not {}", quoted(word), meant.text(), spec().text());
         }
     }
 
@@ -409,8 +422,8 @@ private:
             if (!number.unit.empty() && !(has_angles && number.unit == (is_angle ? own : numbers.back().unit))) {
                 Spec meant = part_.attitude.value_or(Spec());
                 meant.unit = own == "deg" ? AngleUnit::radians : AngleUnit::degrees;
-                refuse("{} is in {}, but {} {}", quoted(number.text), number.unit, text_of_part(),
-                       has_angles ? fmt::format("is in {}: {}", own, meant.text()) : "has no angles");
+                refuse_for({meant.text()}, "{} is in {}, but {} {}", quoted(number.text), number.unit, text_of_part(),
+                           has_angles ? fmt::format("is in {}: {}", own, meant.text()) : "has no angles");
             }
         }
     }
@@ -447,15 +460,18 @@ private:
     const Part& part_;
     std::string_view from_;
     bool is_ordered_ = false; ///< by a word
+    bool has_other_label_ = false;
     std::string note_;
 };
 
 /// The numbers of a text for the parts of a row.
-Numbers numbers_of(const ValueText& text, const std::vector<Part>& parts, std::string_view from, std::string& note) {
+Numbers numbers_of(const ValueText& text, const std::vector<Part>& parts, std::string_view from, Values& values,
+                   std::string& note) {
     if (parts.size() == 1 && !text.numbers.empty()) {
         Reading reading(text, parts[0], from);
         auto numbers = reading.chosen();
         note = reading.note();
+        values.has_other_label = reading.has_other_label();
         return numbers;
     }
     const Part& last = parts.back();
@@ -507,7 +523,7 @@ Values values_of(const std::vector<std::string>& words, std::optional<stream::De
     }
     std::string note;
     Values values{.delimiter = *given};
-    const Numbers chosen = by_place ? read.numbers : numbers_of(read, parts_of(numbers), from, note);
+    const Numbers chosen = by_place ? read.numbers : numbers_of(read, parts_of(numbers), from, values, note);
     const bool has_commas = std::ranges::any_of(chosen, &ValueNumber::after_comma); // blanks do not separate as they do
     for (const ValueNumber& number : chosen) {
         values.row +=
@@ -518,6 +534,18 @@ Values values_of(const std::vector<std::string>& words, std::optional<stream::De
         values.notes.push_back({.kind = stream::Note::Kind::order, .text = std::move(note)});
     }
     return values;
+}
+
+std::optional<Values> attitude_in(const std::string& text, const stream::RowNumbers& numbers, std::string_view from) {
+    try {
+        Values values = values_of({text}, std::nullopt, numbers, from, false);
+        std::vector<std::string_view> fields;
+        static_cast<void>(values.delimiter.split(values.row, fields));
+        const bool is_one = fields.size() == numbers.names.size() && std::ranges::all_of(fields, stream::is_number);
+        return is_one ? std::optional(std::move(values)) : std::nullopt;
+    } catch (const Usage&) {
+        return std::nullopt;
+    }
 }
 
 } // namespace rotconv::cli

@@ -23,6 +23,7 @@ struct Values {
     std::string row{};
     stream::Delimiter delimiter = stream::Delimiter::blanks();
     std::vector<stream::Note> notes{}; ///< what was chosen although the command line does not say it
+    bool has_other_label = false;      ///< the numbers are called something that says nothing of them
 };
 
 /// Reads VALUEs by the grammar of value_text.hpp: chooses the numbers of the attitude among others, and orders them by
@@ -32,5 +33,9 @@ struct Values {
 /// @throw Usage for anything that is not understood, or that contradicts the SPEC
 [[nodiscard]] Values values_of(const std::vector<std::string>& words, std::optional<stream::Delimiter> given,
                                const stream::RowNumbers& numbers, std::string_view from, bool are_selected);
+
+/// The same of a text that is one attitude; nothing where it is none.
+[[nodiscard]] std::optional<Values> attitude_in(const std::string& text, const stream::RowNumbers& numbers,
+                                                std::string_view from);
 
 } // namespace rotconv::cli

@@ -75,6 +75,9 @@ public:
     [[nodiscard]] static bool is_regular(const char* path) noexcept;
     /// The name of the regular file that stdin is, from the folder of the program on, where the system tells it.
     [[nodiscard]] static std::string name_of_input();
+    /// The first whole lines that a pipe at stdin has, for which it waits a moment: where nothing will read it. Empty
+    /// for another stdin.
+    [[nodiscard]] static const std::string& lines_of_pipe();
     /// Whether a file of that name, or "-", would miss bytes read here: a pipe, socket or terminal, or both stdin.
     [[nodiscard]] bool shares_bytes(const char* path) const noexcept;
     /// Bytes of a regular file; 0 for anything else.

@@ -90,6 +90,20 @@ std::string File::name_of_input() { // Linux has these links
     return name.starts_with(folder + '/') ? name.substr(folder.size() + 1) : name;
 }
 
+const std::string& File::lines_of_pipe() {
+    static const std::string lines = [] {
+        struct stat status {};
+        std::string text(std::size_t{64} << 10U, '\0');
+        const bool is_pipe = ::fstat(STDIN_FILENO, &status) == 0 && S_ISFIFO(status.st_mode);
+        const ssize_t size =
+            is_pipe && wait_for(STDIN_FILENO, POLLIN, 300) > 0 ? ::read(STDIN_FILENO, text.data(), text.size()) : 0;
+        text.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+        text.resize(text.rfind('\n') + 1);
+        return text;
+    }();
+    return lines;
+}
+
 bool File::shares_bytes(const char* path) const noexcept {
     struct stat mine {};
     struct stat other {};

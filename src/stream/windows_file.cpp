@@ -72,6 +72,11 @@ bool File::is_regular(const char* path) noexcept { return File(path, Mode::read)
 
 std::string File::name_of_input() { return {}; }
 
+const std::string& File::lines_of_pipe() {
+    static const std::string none;
+    return none;
+}
+
 bool File::shares_bytes(const char* path) const noexcept { return std::string_view(path) == "-" && descriptor_ == 0; }
 
 std::size_t File::size() const noexcept {
