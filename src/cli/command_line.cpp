@@ -141,41 +141,67 @@ Mend CommandOptions::piped(Mend mend, const std::string& command, std::optional<
     return mend;
 }
 
+namespace {
+
+/// The command that alone serves of those that a project's name may mean, with a note that says so.
+Command chosen(const CommandOptions& given, Command command) {
+    if (auto* const rows = std::get_if<RowsCommand>(&command)) {
+        const Option& columns = *rows->line->find("--columns");
+        const std::string selected =
+            columns.given() && !given.find("--columns")->given() ? " --columns " + columns.text() : "";
+        rows->notes.push_back(
+            {stream::Note::Kind::chosen,
+             fmt::format("{0} {1} has several SPECs, of which one fits: {0} {2}{3}", "--from",
+                         given.find("--from")->text(), rows->line->find("--from")->text(), selected)});
+    }
+    return command;
+}
+
+/// Whether a word that is no file is one of the program's language: a verb, a SPEC, rpy2quat.
+bool has_meaning(std::string_view word) {
+    if (word.size() < 2 || !std::ranges::all_of(word, [](char c) { return is_alphanumeric(c) || c == '-'; })) {
+        return false; // the label of a number
+    }
+    return messages::is_verb(word) || messages::is_spec(word) ||
+           (std::ranges::count(word, '2') == 1 && std::ranges::all_of(word, is_alphanumeric));
+}
+
+void refuse_unknown(const CommandOptions& options) {
+    if (!options.unknown.empty()) {
+        throw messages::no_such_option(options);
+    }
+}
+
+void refuse_verb(const CommandOptions& options) {
+    const std::string verb = options.files.empty() ? "" : options.files[0];
+    if (!verb.empty() && verb == options.words[0] && messages::is_verb(verb) &&
+        verb.find_first_of("./") == std::string::npos && stream::File::why_unreadable(verb.c_str()) != 0) {
+        throw Usage("{} is not a command{}", quoted(verb), messages::meaning_of_word(verb))
+            .with(messages::meant_by_operand(options, 0));
+    }
+}
+
+} // namespace
+
 Command read_command_line(const std::vector<std::string>& words) {
     const auto table = command_table();
     const auto commands = std::span<const CommandEntry>(table).subspan(1);
     const auto is_command = [&](std::string_view word) {
         return std::ranges::count(commands, word, &CommandEntry::name) > 0;
     };
-    const auto has_meaning = [](std::string_view word) {
-        if (word.size() < 2 || !std::ranges::all_of(word, [](char c) { return is_alphanumeric(c) || c == '-'; })) {
-            return false; // the label of a number
-        }
-        return messages::is_verb(word) || messages::is_spec(word) ||
-               (std::ranges::count(word, '2') == 1 && std::ranges::all_of(word, is_alphanumeric)); // rpy2quat
-    };
     const CommandEntry* entry = table.data();
     const std::shared_ptr<CommandOptions> of_conversion = entry->options();
     std::shared_ptr<CommandOptions> options = of_conversion;
-    const auto refuse_unknown = [&options] {
-        if (!options->unknown.empty()) {
-            throw messages::no_such_option(*options);
-        }
-    };
     const std::size_t end = options->read(words, 0, is_command, has_meaning);
     const bool has_command = end < words.size();
     if (has_command) {
-        refuse_unknown();
+        refuse_unknown(*options);
         entry = &*std::ranges::find(table, words[end], &CommandEntry::name);
         options = entry->options();
         static_cast<void>(options->read(
             words, end + 1, [](auto) { return false; }, has_meaning));
-    }
-    const std::string verb = !has_command && !options->files.empty() ? options->files[0] : "";
-    if (!verb.empty() && verb == words[0] && messages::is_verb(verb) && verb.find_first_of("./") == std::string::npos &&
-        stream::File::why_unreadable(verb.c_str()) != 0) {
-        throw Usage("{} is not a command{}", quoted(verb), messages::meaning_of_word(verb))
-            .with(messages::meant_by_operand(*options, 0));
+    } else {
+        refuse_verb(*options);
     }
     for (const std::string& misuse : {of_conversion->misuse, options->misuse}) {
         if (!misuse.empty()) {
@@ -189,7 +215,7 @@ Command read_command_line(const std::vector<std::string>& words) {
         return fmt::format("rotconv " ROTCONV_VERSION " (kernels: {})\n", kernel_table().target);
     }
     options->check_attitudes();
-    refuse_unknown();
+    refuse_unknown(*options);
     if (has_command && !of_conversion->first_option.empty()) {
         throw Usage("{} stands before {}; options come after the command", of_conversion->first_option, entry->name)
             .with({{{{{end}}, {{0}, 0, {words[end]}}}}});
@@ -211,17 +237,7 @@ Command read_command_line(const std::vector<std::string>& words) {
         if (!only) {
             throw;
         }
-        Command command = read_command_line(*only);
-        if (auto* const rows = std::get_if<RowsCommand>(&command)) {
-            const Option& columns = *rows->line->find("--columns");
-            const std::string selected =
-                columns.given() && !options->find("--columns")->given() ? " --columns " + columns.text() : "";
-            rows->notes.push_back(
-                {stream::Note::Kind::chosen,
-                 fmt::format("{0} {1} has several SPECs, of which one fits: {0} {2}{3}", "--from",
-                             options->find("--from")->text(), rows->line->find("--from")->text(), selected)});
-        }
-        return command;
+        return chosen(*options, read_command_line(*only));
     }
 }
 

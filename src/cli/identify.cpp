@@ -107,27 +107,46 @@ public:
             return {.text = settings_.json ? json_line({{"rows", rows}, {"fit", rows}, {"answer", "none"}}) : "none\n"};
         }
         Verdict verdict = identification_->verdict();
-        auto& candidates = verdict.candidates;
-        bool all_were_held = true;
-        if (verdict.answer && verdict.answer->rows != rows) { // only some of many rows were kept
-            const auto again =
-                std::make_shared<Identification>(*verdict.answer, settings_.rows.known, settings_.identification);
-            result.look_again(operations::identify(settings_.rows, again));
-            all_were_held = again->rows() > 0;
-            if (all_were_held) {
-                Candidate& found = *std::ranges::find_if(
-                    candidates, [this](const Candidate& each) { return identification_->fits(each); });
-                const Candidate all = again->best_first().front();
-                std::tie(found.rows, found.angle, found.angle_row) = std::tuple(all.rows, all.angle, all.angle_row);
-                if (all.rows < rows || !again->fits(all)) {
-                    verdict.answer.reset();
-                    verdict.fitting = 0;
-                }
-            }
+        const bool all_were_held = hold_all(verdict, result);
+        const std::string limit = verdict.fitting > 1 ? smaller_limit(verdict.candidates) : "";
+        verdict.candidates.resize(std::min(verdict.candidates.size(), listed));
+        const std::string end = settings_.json ? json_end(verdict) : table_end(verdict, limit, all_were_held);
+        return {.text = lines_of(verdict.candidates) + end, .holds = verdict.answer.has_value() && all_were_held};
+    }
+
+private:
+    void begin(std::size_t count) {
+        settings_.rows.count = count;
+        *identification_ = Identification(count, settings_.rows.known, settings_.name, settings_.identification);
+        *subject_ = subject_of(settings_.rows, settings_.identification.tolerance);
+    }
+
+    /// Holds all rows against the answer, of which only some of many were kept.
+    /// @return whether they could be read again
+    [[nodiscard]] bool hold_all(Verdict& verdict, const RowsResult& result) const {
+        const std::size_t rows = identification_->rows();
+        if (!verdict.answer || verdict.answer->rows == rows) {
+            return true;
         }
-        const bool is_ambiguous = verdict.ambiguity != Verdict::Ambiguity::nothing;
-        const std::string limit = verdict.fitting > 1 ? smaller_limit(candidates) : "";
-        candidates.resize(std::min(candidates.size(), listed));
+        const auto again =
+            std::make_shared<Identification>(*verdict.answer, settings_.rows.known, settings_.identification);
+        result.look_again(operations::identify(settings_.rows, again));
+        if (again->rows() == 0) {
+            return false;
+        }
+        Candidate& found = *std::ranges::find_if(verdict.candidates,
+                                                 [this](const Candidate& each) { return identification_->fits(each); });
+        const Candidate all = again->best_first().front();
+        std::tie(found.rows, found.angle, found.angle_row) = std::tuple(all.rows, all.angle, all.angle_row);
+        if (all.rows < rows || !again->fits(all)) {
+            verdict.answer.reset();
+            verdict.fitting = 0;
+        }
+        return true;
+    }
+
+    /// A line for each.
+    [[nodiscard]] std::string lines_of(const std::vector<Candidate>& candidates) const {
         const auto line_of = [](const auto&... cells) {
             return fmt::format("{:<22}  {:<9}  {:>11}  {:>7}  {:>7}  {}\n", cells...);
         };
@@ -149,37 +168,36 @@ public:
                                   is_read ? fmt::format("{:.6g}", angle) : "no attitude", each.angle_row, each.rows,
                                   (fits ? "yes" : "no") + constant);
         }
-        std::string best = is_ambiguous ? "ambiguous" : "none";
-        if (verdict.answer) {
-            const Candidate& first = *verdict.answer;
-            best = fmt::format("-f {} --columns {}{}", first.spec.text(), columns_of(first), options_of(first));
-        }
-        if (settings_.json) {
-            text += json_line({{"rows", rows},
-                               {"fit", verdict.fitting},
-                               {"answer", best},
-                               {"lack", is_ambiguous ? lack(verdict) : JsonValue::as_written({})}});
-        } else {
-            if (is_ambiguous) {
-                best += fmt::format(": {} {}; {}{}", verdict.fitting, verdict.fitting == 1 ? "fits" : "fit",
-                                    lack(verdict), limit);
-            } else if (!verdict.answer) {
-                best +=
-                    ": a turn on both sides that has no name is found by compare --align both, once the SPEC is known";
-            }
-            text += fmt::format(
-                "\n{}{}; the convention that fits within {:.6g} {}:\n{}\n", counted(rows, "row"),
-                all_were_held ? "" : fmt::format(", of which {} were held against the answer", verdict.answer->rows),
-                settings_.identification.within * settings_.unit.per_radian, settings_.unit.text, best);
-        }
-        return {.text = text, .holds = verdict.answer.has_value() && all_were_held};
+        return text;
     }
 
-private:
-    void begin(std::size_t count) {
-        settings_.rows.count = count;
-        *identification_ = Identification(count, settings_.rows.known, settings_.name, settings_.identification);
-        *subject_ = subject_of(settings_.rows, settings_.identification.tolerance);
+    [[nodiscard]] std::string answer_of(const Verdict& verdict) const {
+        if (!verdict.answer) {
+            return verdict.ambiguity != Verdict::Ambiguity::nothing ? "ambiguous" : "none";
+        }
+        const Candidate& first = *verdict.answer;
+        return fmt::format("-f {} --columns {}{}", first.spec.text(), columns_of(first), options_of(first));
+    }
+    [[nodiscard]] std::string json_end(const Verdict& verdict) const {
+        const std::string lacking = lack(verdict);
+        return json_line({{"rows", identification_->rows()},
+                          {"fit", verdict.fitting},
+                          {"answer", answer_of(verdict)},
+                          {"lack", lacking.empty() ? JsonValue::as_written({}) : lacking}});
+    }
+    /// @param limit that would leave one, in words
+    [[nodiscard]] std::string table_end(const Verdict& verdict, const std::string& limit, bool all_were_held) const {
+        std::string best = answer_of(verdict);
+        if (verdict.ambiguity != Verdict::Ambiguity::nothing) {
+            best += fmt::format(": {} {}; {}{}", verdict.fitting, verdict.fitting == 1 ? "fits" : "fit", lack(verdict),
+                                limit);
+        } else if (!verdict.answer) {
+            best += ": a turn on both sides that has no name is found by compare --align both, once the SPEC is known";
+        }
+        return fmt::format(
+            "\n{}{}; the convention that fits within {:.6g} {}:\n{}\n", counted(identification_->rows(), "row"),
+            all_were_held ? "" : fmt::format(", of which {} were held against the answer", verdict.answer->rows),
+            settings_.identification.within * settings_.unit.per_radian, settings_.unit.text, best);
     }
 
     /// Where one of those that fit is a million times nearer than all others, by more than rounding, and the rows

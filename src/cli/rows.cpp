@@ -322,6 +322,33 @@ std::string run_first_pass(RowsCommand& command) {
     return {};
 }
 
+/// What is told of a run that came to its end, and its exit status.
+void judge(const RowsCommand& command, Reporter& reporter, RowsResult& result) {
+    const auto& step = command.options.operation->first_step;
+    const auto [seconds, line] = step ? *step : std::pair<double, std::size_t>();
+    if (seconds >= least_doubtful_step && !command.options.input.numbers.has_unit) {
+        reporter.add(stream::Note{
+            .kind = stream::Note::Kind::time_unit,
+            .text = fmt::format("times {:.6g} apart are read in s; if not: --time-unit ms, us or ns", seconds),
+            .place = {line}});
+    }
+    if (result.keys.likely) {
+        reporter.add(stream::Note{.kind = stream::Note::Kind::pairing,
+                                  .text = fmt::format("rows are paired by their number, and column {} increases in "
+                                                      "both files and differs; to pair by it: --key {}",
+                                                      in_shell(*result.keys.likely), in_shell(*result.keys.likely))});
+    }
+    const bool strict = command.strict && reporter.met_diagnostic();
+    const bool has_failures = result.failed[0] + result.failed[1] > 0 && !command.allow_failed;
+    const bool has_unpaired = result.unpaired[1].rows > 0 && !command.allow_unpaired;
+    result.code = has_failures || has_unpaired || strict ? ExitCode::completed_with_failures : ExitCode::done;
+    reporter.add(result.unpaired);
+    const auto& pairing = command.options.pairing;
+    if (pairing && pairing->needs_partner && pairing->by_key && !result.keys.any_pair && result.rows > 0) {
+        print_error(messages::few_keys_met(result.keys));
+    }
+}
+
 ExitCode run_last_pass(const RowsCommand& command) {
     using What = stream::StreamError::What;
     const auto inputs = open_inputs(command);
@@ -363,30 +390,7 @@ ExitCode run_last_pass(const RowsCommand& command) {
     const bool is_whole = !ending.error && !ending.stopped;
     RowsResult result = reporter.result(ending);
     if (is_whole) {
-        const auto& step = command.options.operation->first_step;
-        const auto [seconds, line] = step ? *step : std::pair<double, std::size_t>();
-        if (seconds >= least_doubtful_step && !command.options.input.numbers.has_unit) {
-            reporter.add(stream::Note{
-                .kind = stream::Note::Kind::time_unit,
-                .text = fmt::format("times {:.6g} apart are read in s; if not: --time-unit ms, us or ns", seconds),
-                .place = {line}});
-        }
-        if (result.keys.likely) {
-            reporter.add(
-                stream::Note{.kind = stream::Note::Kind::pairing,
-                             .text = fmt::format("rows are paired by their number, and column {} increases in "
-                                                 "both files and differs; to pair by it: --key {}",
-                                                 in_shell(*result.keys.likely), in_shell(*result.keys.likely))});
-        }
-        const bool strict = command.strict && reporter.met_diagnostic();
-        const bool has_failures = result.failed[0] + result.failed[1] > 0 && !command.allow_failed;
-        const bool has_unpaired = result.unpaired[1].rows > 0 && !command.allow_unpaired;
-        result.code = has_failures || has_unpaired || strict ? ExitCode::completed_with_failures : ExitCode::done;
-        reporter.add(result.unpaired);
-        const auto& pairing = command.options.pairing;
-        if (pairing && pairing->needs_partner && pairing->by_key && !result.keys.any_pair && result.rows > 0) {
-            print_error(messages::few_keys_met(result.keys));
-        }
+        judge(command, reporter, result);
     }
     reporter.count_rest();
     if (command.conclude && is_whole) {
@@ -397,9 +401,8 @@ ExitCode run_last_pass(const RowsCommand& command) {
         if (const int error = rows_output.write(conclusion.text); error != 0) {
             return error == EPIPE ? ExitCode::done : failed(command.output, What::write, error);
         }
-        if (result.code == ExitCode::done && !conclusion.holds) {
-            result.code = ExitCode::completed_with_failures;
-        }
+        const bool is_done = conclusion.holds || result.code != ExitCode::done;
+        result.code = is_done ? result.code : ExitCode::completed_with_failures;
     }
     if (const int error = output.finish(is_whole); error != 0) {
         return failed(command.output, What::write, error);

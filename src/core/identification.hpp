@@ -159,6 +159,8 @@ private:
     void hold_nearest(std::vector<Candidate*> candidates, const std::function<void(Candidate&)>& hold) const;
     /// Those that fit with constant rotations, of which the nearest leaves an angle not below a tenth of another's.
     [[nodiscard]] std::vector<Candidate> rotated() const;
+    /// Of candidates that fit some rows those that fit all that are kept, one of each meaning, the nearest first.
+    [[nodiscard]] std::vector<Candidate> different(std::vector<Candidate> found) const;
     /// Whether a project's SPEC has the angles of the candidate, in either unit, or is its inverse.
     /// @pre the candidate is not plain
     [[nodiscard]] bool is_of_project(const Candidate& candidate) const;

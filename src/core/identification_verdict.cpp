@@ -38,9 +38,9 @@ ConstantRotations constant_rotations(AlignedSide side, const Attitudes& unknown,
 
 /// Whether no angle between them is beyond the limit, without an arctangent: it is asked of all pairs of candidates.
 bool are_near(const Attitudes& a, const Attitudes& b, double limit) {
-    const double sine = std::sin(0.5 * std::min(limit, std::numbers::pi));
-    return std::ranges::equal(a, b, [sine](const Rotation& x, const Rotation& y) {
-        return squared_sine_of_half(x * y.inverse()) <= sine * sine;
+    const double most = sine_of(0.5 * std::min(limit, std::numbers::pi));
+    return std::ranges::equal(a, b, [most](const Rotation& x, const Rotation& y) {
+        return squared_sine_of_half(x * y.inverse()) <= most * most;
     });
 }
 
@@ -275,6 +275,10 @@ std::vector<Candidate> Identification::rotated() const {
             }
         }
     }
+    return different(std::move(found));
+}
+
+std::vector<Candidate> Identification::different(std::vector<Candidate> found) const {
     std::vector<Candidate*> all;
     std::ranges::transform(found, std::back_inserter(all), [](Candidate& each) { return &each; });
     hold_nearest(all, [this](Candidate& each) {

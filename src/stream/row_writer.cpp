@@ -308,6 +308,14 @@ void RowWriter::write_csv(Buffer& to, const ConvertedRow& row) const {
     append(to, row.line.end.empty() ? std::string_view(layout_->line_end) : row.line.end);
 }
 
+void RowWriter::write_json_number(Buffer& to, double number, std::size_t column) const {
+    if (std::isfinite(number)) {
+        write_number(to, number, column);
+    } else {
+        append(to, std::isnan(number) ? "null" : number > 0 ? "\"inf\"" : "\"-inf\"");
+    }
+}
+
 void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
     to.push_back('{');
     auto next_key = json_keys_.begin(); // those of the result are not used in a block
@@ -326,20 +334,9 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
         layout_->keys.append_to(to, i, row.fields.size());
         append(to, ": ");
         const std::string_view text = trimmed(row.fields[i]);
-        if (is_json_number(text)) {
-            append(to, text);
-        } else {
-            append_json_string(to, layout_->delimiter.unquoted(row.fields[i]));
-        }
+        is_json_number(text) ? append(to, text) : append_json_string(to, layout_->delimiter.unquoted(row.fields[i]));
     };
     for_each_output(*layout_, row.fields.size(), other, [] {});
-    const auto number = [&](double value, std::size_t column) {
-        if (std::isfinite(value)) {
-            write_number(to, value, column);
-        } else {
-            append(to, std::isnan(value) ? "null" : value > 0 ? "\"inf\"" : "\"-inf\"");
-        }
-    };
     Buffer texts; // of all numbers: one at a time they take longer
     if (!options_->block && !is_near_open_end(row.result)) {
         append_numbers(texts, row.result, '\n', options_->digits);
@@ -350,7 +347,7 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
         rest.remove_prefix(std::min(text.size() + 1, rest.size()));
         key();
         if (text.empty() || !std::isfinite(row.result[i])) {
-            number(row.result[i], i);
+            write_json_number(to, row.result[i], i);
         } else {
             append(to, text);
         }
@@ -362,7 +359,7 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
         append(to, ": [");
         for (std::size_t i = 0; i < part.names.size(); ++i) {
             append(to, i > 0 ? ", " : "");
-            number(row.result[column], column);
+            write_json_number(to, row.result[column], column);
             ++column;
         }
         append(to, "]");
@@ -370,7 +367,7 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
     if (options_->diagnostic_columns) {
         for (const double figure : figures_of(row)) {
             key();
-            number(figure, row.result.size());
+            write_json_number(to, figure, row.result.size());
         }
         key();
         append_json_string(to, notes_of(row));

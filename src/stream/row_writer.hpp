@@ -54,6 +54,7 @@ public:
 private:
     void write_csv(Buffer& to, const ConvertedRow& row) const;
     void write_json(Buffer& to, const ConvertedRow& row) const;
+    void write_json_number(Buffer& to, double number, std::size_t column) const;
     void write_pretty(Buffer& to, const ConvertedRow& row) const;
     void write_f64(Buffer& to, const ConvertedRow& row) const;
     const Options* options_;

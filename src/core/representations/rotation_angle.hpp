@@ -8,6 +8,11 @@
 
 namespace rotconv {
 
+/// The sine, of radians, with the same bits on every machine.
+inline double sine_of(double angle) noexcept {
+    return sine_cosine<double>(DoubleDouble(angle), AngleUnit::radians).sine;
+}
+
 /// That of w, x, y, z, |q|^2 in [1/4, 4) or nan.
 inline Rotation rotation_at(const double* q) noexcept { return Rotation::near_unit(q[0], q[1], q[2], q[3]); }
 
