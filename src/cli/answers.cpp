@@ -23,7 +23,8 @@ struct Attempt {
     std::vector<std::string> words;
     std::string pipe{};                ///< see Mend
     std::optional<std::string> text{}; ///< the beginning of its input; nothing: not at hand, or in the FILE
-    std::string piped{};               ///< that of stdin, if it is at hand
+    bool may_read_pipe = false;        ///< nothing else will
+    bool has_guess = false;            ///< its SPEC is a guess
 
     [[nodiscard]] Attempt after(const Mend& mend, bool is_ordered = true) const {
         Attempt next = *this;
@@ -62,7 +63,7 @@ struct Attempt {
 bool has_other_names(const stream::InputOptions& input, std::string_view text) {
     bool has_names = false;
     bool has_row = false;
-    while (!text.empty() && input.columns.empty() && input.columns_of) {
+    for (int left = 100; left > 0 && !text.empty() && input.columns.empty() && input.columns_of; --left) {
         const stream::Line line = stream::next_line(text);
         if (!input.is_row(line.text)) {
             continue;
@@ -84,20 +85,31 @@ struct Outcome {
     bool serves = false;
     bool has_other_names = false;           ///< in its header
     bool is_tried = false;                  ///< on the first rows
+    bool is_json = false;                   ///< that it reads
     bool is_of_project = false;             ///< which has several SPECs
     bool is_of_values = false;              ///< which mean another SPEC
-    std::optional<Mend> in_degrees{};       ///< where its angles are large
+    bool guesses_spec = false;              ///< see Usage
+    std::vector<Edit> better{};             ///< the units that the rows have
     std::vector<std::vector<Mend>> mends{}; ///< otherwise: the first group of which one serves counts
 };
 
 /// Runs the rows at hand, and tells nothing.
 Outcome outcome_of(const RowsCommand& command, const std::string& text, bool whole) {
     std::optional<stream::RowError> wrong;
-    std::optional<Mend> in_degrees;
+    std::vector<Edit> better;
+    const bool says_radians = std::ranges::any_of(
+        command.line->words, [](const std::string& word) { return word.find("rad") != std::string::npos; });
     const auto take = [&](const stream::Event& event) {
         const auto* const diagnostic = std::get_if<stream::Diagnostic>(&event);
-        if (diagnostic != nullptr && diagnostic->kind == DiagnosticKind::large_angle) {
-            in_degrees = Mend{{{{Edit::at_end}, 0, {"-d"}}}};
+        if (diagnostic != nullptr && diagnostic->kind == DiagnosticKind::large_angle && better.empty() &&
+            !says_radians) {
+            better.push_back({{Edit::at_end}, 0, {"-d"}});
+        }
+        const auto* const note = std::get_if<stream::Note>(&event);
+        constexpr std::string_view option = "--time-unit ";
+        const std::size_t at = note == nullptr ? std::string::npos : note->text.find(option);
+        if (at != std::string::npos && note->text.find(',', at) == std::string::npos) { // the unit that a header says
+            better.push_back({{Edit::at_end}, 0, words_in(note->text.substr(at))});
         }
         if (const auto* const error = std::get_if<stream::RowError>(&event); error != nullptr && !wrong) {
             wrong = *error;
@@ -119,14 +131,14 @@ Outcome outcome_of(const RowsCommand& command, const std::string& text, bool who
     const auto ending = stream::run(source, nullptr, options, take, reference ? &*reference : nullptr);
     if (ending.answered > 0 && (!whole || (!ending.error && !wrong))) {
         const bool has_others = !command.has_values && has_other_names(options.input, text);
-        return {.serves = true, .has_other_names = has_others, .is_tried = !has_others, .in_degrees = in_degrees};
+        return {.serves = true, .has_other_names = has_others, .is_tried = !has_others, .better = better};
     }
     using What = stream::StreamError::What;
     if (command.has_values || options.input.width > 0 || (wrong && wrong->place.is_in_reference())) {
         return {.is_tried = true};
     }
     if (ending.error && ending.error->what == What::json) {
-        return {.is_tried = true, .mends = json_mends(command, text)};
+        return {.is_tried = true, .is_json = true, .mends = json_mends(command, text)};
     }
     const std::size_t line = ending.error ? ending.error->place.line : wrong ? wrong->place.line : 0;
     return {.is_tried = true, .mends = line > 0 ? row_mends(command, text, line) : std::vector<std::vector<Mend>>()};
@@ -142,13 +154,16 @@ Outcome outcome_of(const Attempt& attempt, bool whole = false) {
         if (rows == nullptr) {
             return {.serves = true};
         }
-        const auto text = attempt.text || !attempt.pipe.empty()          ? attempt.text
-                          : rows->input == "-" && !attempt.piped.empty() ? std::optional(attempt.piped)
-                                                                         : first_bytes(rows->input);
+        const bool is_pipe =
+            rows->input == "-" && !rows->has_values && attempt.may_read_pipe && !stream::File::lines_of_pipe().empty();
+        const auto text = attempt.text || !attempt.pipe.empty() ? attempt.text
+                          : is_pipe                             ? std::optional(stream::File::lines_of_pipe())
+                                                                : first_bytes(rows->input);
         return rows->has_values || text ? outcome_of(*rows, text.value_or(""), whole || !attempt.pipe.empty())
                                         : Outcome{.serves = true};
     } catch (const Usage& error) {
-        Outcome outcome{.is_of_project = error.is_choice, .is_of_values = !error.specs.empty()};
+        Outcome outcome{
+            .is_of_project = error.is_choice, .is_of_values = !error.specs.empty(), .guesses_spec = error.guesses_spec};
         for (const Mend& mend : error.mends) { // each is a reading of its own
             outcome.mends.empty() ? outcome.mends.push_back({mend}) : outcome.mends.front().push_back(mend);
         }
@@ -208,9 +223,12 @@ private:
             return;
         }
         const Outcome outcome = outcome_of(attempt, depth == deepest);
-        if (outcome.serves && depth > 0 && outcome.in_degrees) {
-            follow(attempt.after(*outcome.in_degrees), deepest, is_choice);
-            return;
+        if (outcome.serves && depth > 0 && !outcome.better.empty()) {
+            const Attempt better = attempt.after(Mend{outcome.better});
+            if (outcome_of(better, true).serves) {
+                follow(better, deepest, is_choice);
+                return;
+            }
         }
         is_of_project_ = is_of_project_ || outcome.is_of_project;
         if (outcome.serves && depth > 0 && !(is_choice && outcome.has_other_names)) {
@@ -224,15 +242,18 @@ private:
             }
         }
         // the SPECs of a project are not those that others write in the same words
-        const bool is_done = outcome.serves || depth == deepest || (is_of_project_ && outcome.is_of_values);
+        const bool is_done = outcome.serves || depth == deepest || (is_of_project_ && outcome.is_of_values) ||
+                             (attempt.has_guess && outcome.is_tried && !outcome.is_json);
         for (auto group = outcome.mends.begin(); group != outcome.mends.end() && !is_done; ++group) {
             const std::size_t before = found_.size();
             for (const Mend& mend : *group) {
                 if (!mend.order.empty() && !outcome_of(attempt.after(mend, false)).serves) {
                     continue;
                 }
+                Attempt next = attempt.after(mend);
+                next.has_guess = attempt.has_guess || outcome.guesses_spec;
                 // rows have no second mend
-                follow(attempt.after(mend), outcome.is_tried ? deepest : depth + 1, is_choice || group->size() > 1);
+                follow(next, outcome.is_tried ? deepest : depth + 1, is_choice || group->size() > 1);
             }
             if (found_.size() > before) {
                 break;
@@ -270,9 +291,8 @@ std::string answers(const std::vector<std::string>& words, std::optional<std::st
     Attempt wrong{with_input(words)};
     if (wrong.words == words && beginning) {
         wrong.text = std::string(*beginning);
-    } else if (wrong.words == words) {
-        wrong.piped = stream::File::lines_of_pipe();
     }
+    wrong.may_read_pipe = !beginning;
     const Search search(wrong);
     for (const std::string& command : search.found()) {
         lines += fmt::format("try: {}\n", command);

@@ -11,6 +11,7 @@
 #include <rotconv/version.hpp>
 
 #include "../core/kernels.hpp"
+#include "../core/projects.hpp"
 #include "../stream/file.hpp"
 #include "answers.hpp"
 #include "row_options.hpp"
@@ -162,7 +163,7 @@ bool has_meaning(std::string_view word) {
     if (word.size() < 2 || !std::ranges::all_of(word, [](char c) { return is_alphanumeric(c) || c == '-'; })) {
         return false; // the label of a number
     }
-    return messages::is_verb(word) || messages::is_spec(word) ||
+    return messages::is_verb(word) || messages::is_spec(word) || find_project(word) != nullptr ||
            (std::ranges::count(word, '2') == 1 && std::ranges::all_of(word, is_alphanumeric));
 }
 

@@ -90,7 +90,8 @@ std::optional<std::pair<std::string, std::vector<stream::Note>>> row_of_text(std
     if (!has_marks && !(is_matrix && (lines == 3 || lines == 4))) {
         return std::nullopt;
     }
-    auto values = attitude_in(rows, numbers, from);
+    bool means_other = false; // and is no row of this one
+    auto values = attitude_in(rows, numbers, from, means_other);
     if (!values) {
         return std::nullopt;
     }

@@ -15,6 +15,7 @@
 #include "meanings.hpp"
 #include "messages.hpp"
 #include "value_text.hpp"
+#include "values.hpp"
 
 namespace rotconv::cli::messages {
 namespace {
@@ -74,46 +75,63 @@ Words sequences_in(std::string_view text) {
     return specs;
 }
 
-/// The SPEC whose parts are joined in another way, as in eulZYX, quat_xyzw and "euler 3-1-3 deg", or whose columns are
-/// listed, as in "roll pitch yaw"; or empty.
-std::string spec_of_parts(std::string text) {
-    std::ranges::replace_if(
-        text, [](char c) { return std::string_view("-,/").find(c) != std::string_view::npos; }, ' ');
+/// The SPECs whose columns are listed, as in "roll pitch yaw".
+Words specs_of_columns(const std::string& text) {
+    Words specs;
     auto names = all_names();
     names.insert(names.begin(), {"quat", "quat:xyzw"});
     for (const std::string_view each : names) {
         const auto parsed = parse_spec(each);
         const Spec* const spec = std::get_if<Spec>(&parsed);
         const auto columns = spec == nullptr ? Words() : operations::names_of(*spec);
-        if (text.find(' ') != std::string::npos && columns.size() > 2 &&
-            lower(without_marks(joined(columns, ""))) == lower(without_marks(text))) {
-            return std::string(each);
+        if (columns.size() > 2 && lower(without_marks(joined(columns, ""))) == lower(without_marks(text)) &&
+            std::ranges::none_of(specs, [&](const std::string& known) {
+                return std::get<Spec>(parse_spec(known)).text() == spec->text();
+            })) {
+            specs.emplace_back(each);
+            if (spec->unit == AngleUnit::radians) { // no robot's
+                break;
+            }
         }
     }
-    std::string name;
-    std::string sequence;
-    std::string modifiers;
+    return specs;
+}
+
+/// The SPECs whose parts are joined in another way, as in eulZYX, quat_xyzw and "euler 3-1-3 deg".
+Words specs_of_parts(std::string text) {
+    std::ranges::replace_if(
+        text, [](char c) { return std::string_view("-,/").find(c) != std::string_view::npos; }, ' ');
     Words parts;
     bool was_single = false;
     for (const std::string& part : parts_of_label(text)) { // 3-1-3 is one
         const bool is_single = part.size() == 1;
-        is_single&& was_single ? parts.back() += part : parts.emplace_back(part);
+        if (is_single && was_single) {
+            parts.back() += part;
+        } else {
+            parts.push_back(part);
+        }
         was_single = is_single;
     }
+    std::string name;
+    Words sequences;
+    std::string modifiers;
     for (const std::string& part : parts) {
         const Meaning* const meaning = find_meaning(part);
         const bool is_euler = meaning != nullptr && meaning->instead.find("euler:") != std::string_view::npos;
         const std::string said = is_euler ? "euler" : convention_in(part);
-        if (EulerSequence::parse(said) && sequence.empty()) {
-            sequence = ":" + said;
-        } else if (is_euler || is_spec(said.empty() ? part : said)) {
-            name = name.empty() || name == "euler" ? (said.empty() ? part : said) : "none";
+        const std::string own = said.empty() ? part : said;
+        if (EulerSequence::parse(said) && sequences.empty()) {
+            sequences = sequences_in(said);
+        } else if (is_euler || is_spec(own)) {
+            name = name.empty() || name == "euler" ? own : "none";
         } else {
-            modifiers += ":" + (said.empty() ? "none" : said);
+            name = name.empty() && is_spec("quat:" + own) && own.size() == 4 ? "quat" : name; // of an order
+            modifiers += ":" + own;
         }
     }
-    const std::string spec = (name.empty() && !sequence.empty() ? "euler" : name) + sequence + modifiers;
-    return is_spec(spec) ? spec : "";
+    sequences = sequences.empty() ? Words{name} : name.empty() || name == "euler" ? sequences : Words();
+    const Words specs = filtered(mapped(sequences, [&](const std::string& each) { return each + modifiers; }), is_spec);
+    return specs.empty() && text.find(' ') != std::string::npos ? specs_of_columns(text) : specs;
 }
 
 /// What may be meant by a word, as Meaning::instead says it: what it means elsewhere, another way of writing what is
@@ -130,14 +148,18 @@ Words meant(std::string_view word, const Legal& legal) {
         return texts;
     }
     texts = is_spec(bare) ? Words{bare} : sequences_in(bare);
-    if (const std::string spec = texts.empty() ? spec_of_parts(bare) : ""; !spec.empty()) {
-        return {spec};
-    }
     if (!texts.empty()) {
         return texts;
     }
     if (is_spec("quat:" + bare) || (project != nullptr && is_preset(project->text))) { // a modifier
-        return {":" + (project != nullptr ? std::string(project->text) : bare)};
+        texts.push_back(":" + (project != nullptr ? std::string(project->text) : bare));
+    }
+    if (project != nullptr && !project->specs.empty()) { // one of several
+        texts.push_back(fmt::format("-f {}", project->text));
+    }
+    texts = texts.empty() ? specs_of_parts(bare) : texts;
+    if (!texts.empty()) {
+        return texts;
     }
     return nearest(word, legal);
 }
@@ -176,7 +198,7 @@ Words meant_specs(const std::string& text, const SpecError& error) {
     }
     Words specs;
     for (const std::string& each : error.what == What::meaningless_modifier ? Words{"-"} : meant(error.text, legal)) {
-        if (each == ":ARG") { // of an option
+        if (each == ":ARG" || each.starts_with("-f ")) { // of an option
             continue;
         }
         const bool is_modifier = each.starts_with(':') || (!is_name && !is_spec(each) && each != "-");
@@ -231,19 +253,27 @@ public:
     [[nodiscard]] std::vector<Mend> by(const std::string& text) const {
         const auto has = [&text](std::string_view part) { return text.find(part) != std::string::npos; };
         const Option* const from = options_->find("--from");
-        const bool takes_argument = has("ARG") || text == "tail";
+        const bool takes_argument = has("ARG") || text == "tail" || text == "- -";
         const bool lacks_from = has("FROM") && (from == nullptr || !from->given());
         if ((takes_argument && argument_.empty()) || lacks_from ||
             (is_command(text.substr(0, text.find(' '))) && options_->begin > 0)) {
             return {};
         }
-        Mend mend{{{{at_}, takes_argument && !is_joined_ ? std::size_t{2} : 1}}};
+        const std::size_t listed = has("@ARG") ? size_of_list() : 1;
+        const bool is_of_rotate = options_->begin > 0 && options_->words[options_->begin - 1] == "rotate";
+        if (listed == 0 || (text == "-o ARG" && is_spec(argument_)) || (text == "@ARG" && !is_of_rotate)) {
+            return {};
+        }
+        Mend mend{{{{at_}, takes_argument && listed < 2 && !is_joined_ ? std::size_t{2} : 1}}};
         if (text == "tail") {
             return skipping(mend);
         }
         std::string modifier;
         for (std::string word : words_in(text)) {
             const bool is_values = word == "@ARG";
+            if (is_values && listed > 1) { // they stay where they are
+                continue;
+            }
             replace(word, "FROM", lacks_from || !has("FROM") ? "" : from->text());
             replace(word, "ARG", argument_);
             replace(word, "~", " ");
@@ -270,6 +300,18 @@ private:
         if (const auto at = text.find(part); at != std::string::npos) {
             text.replace(at, part.size(), by);
         }
+    }
+    /// How many numbers, each a word, are behind the option, if they are the last ones behind others; 1: a word of
+    /// numbers; 0: neither.
+    [[nodiscard]] std::size_t size_of_list() const {
+        const auto& words = options_->words;
+        if (is_joined_ || argument_.find_first_of(", ") != std::string::npos) {
+            return 1;
+        }
+        const auto first = words.begin() + static_cast<std::ptrdiff_t>(at_) + 1;
+        const auto end = std::find_if_not(first, words.end(), is_value);
+        const bool are_last = std::none_of(end, words.end(), is_value) && std::any_of(words.begin(), first, is_value);
+        return are_last && end - first == 3 ? 3 : 0;
     }
     [[nodiscard]] std::vector<Mend> skipping(Mend mend) const {
         double lines = 0.0;
@@ -338,8 +380,10 @@ Usage no_such_option(const OptionSet& options) {
     if (options.words[options.unknown_place.word].starts_with(name)) { // no letter among others
         const Replaced replaced(options, options.unknown_place.word);
         const auto names = mapped(options.all(), &Option::name);
+        const std::size_t next = options.unknown_place.word + 1;
+        const bool has_spec = next < options.words.size() && is_spec(options.words[next]); // --out quat
         const auto begun = filtered(names, [&](std::string_view each) { // --inv, not --time of --time-unit
-            return each.size() > name.size() && each.starts_with(name) && each[name.size()] != '-';
+            return !has_spec && each.size() > name.size() && each.starts_with(name) && each[name.size()] != '-';
         });
         const Words near = begun.size() == 1  ? Words{std::string(begun[0])}
                            : is_command(bare) ? Words{bare}

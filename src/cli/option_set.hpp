@@ -54,6 +54,7 @@ public:
     std::vector<Mend> mends{};
     std::string otherwise{};
     std::vector<std::string> specs{}; ///< that may be meant in the place of --from
+    bool guesses_spec = false;        ///< the mends are SPECs of which nothing is known
     bool is_choice = false;           ///< nothing is wrong if one of the mends alone serves
 };
 

@@ -26,7 +26,7 @@ int run_program(int argc, const char* const* argv) {
     } catch (const Usage& error) {
         const std::string commands = answers(words);
         std::string hint = error.otherwise;
-        if (hint.empty() && !error.mends.empty() && error.specs.empty() &&
+        if (hint.empty() && !error.mends.empty() && error.specs.empty() && !error.guesses_spec &&
             !std::string_view(error.what()).ends_with('?')) { // which alone is not enough
             const auto& by = error.mends.front().edits.back().by;
             hint = by.empty() ? "" : fmt::format("; did you mean {}?", fmt::join(by, " "));

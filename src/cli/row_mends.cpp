@@ -16,7 +16,7 @@
 #include "../stream/preamble.hpp"
 #include "answers.hpp"
 #include "column_names.hpp"
-#include "values.hpp"
+#include "labelled_lines.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -50,53 +50,6 @@ struct Filter {
 constexpr auto filters =
     std::to_array<Filter>({{"tr , .", ',', '.'}, {R"(tr , '\t')", ',', '\t'}, {"tr -d '\"'", '"'}});
 
-/// What takes all but its numbers out of a line. A word may have digits.
-constexpr std::string_view numbers_filter = "sed -E 's/(^|[^0-9.])[A-Za-z_][A-Za-z_0-9]*/ /g; s/[^-+0-9.eE]/ /g'";
-bool is_letter(char c) { return c == '_' || (is_alphanumeric(c) && (c < '0' || c > '9')); }
-std::string numbers_alone(std::string_view line) {
-    std::string made(line);
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const bool begins = i == 0 && is_letter(line[0]);
-        const bool is_before = std::string_view("0123456789.").find(line[i]) == std::string_view::npos &&
-                               i + 1 < line.size() && is_letter(line[i + 1]);
-        if (begins || is_before) {
-            const std::size_t first = begins ? i : i + 1;
-            const auto* const end = std::find_if_not(line.begin() + first, line.end(),
-                                                     [](char c) { return c == '_' || is_alphanumeric(c); });
-            std::fill(made.begin() + static_cast<std::ptrdiff_t>(i), made.begin() + (end - line.begin()), ' ');
-            i = static_cast<std::size_t>(end - line.begin()) - 1;
-        }
-    }
-    std::ranges::replace_if(
-        made, [](char c) { return std::string_view("-+0123456789.eE").find(c) == std::string_view::npos; }, ' ');
-    return made;
-}
-
-/// The parts of a line that may be an attitude: all of it, and what is in brackets, perhaps with a name before.
-std::vector<std::string> parts_of_line(const std::string& line) {
-    std::vector<std::string> parts{line};
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const char open = line[i];
-        if (std::string_view("[({").find(open) == std::string_view::npos) {
-            continue;
-        }
-        std::size_t begin = i;
-        std::size_t end = i;
-        for (int depth = 0; end < line.size(); ++end) {
-            depth += std::string_view("[({").find(line[end]) != std::string_view::npos ? 1 : 0;
-            depth -= std::string_view("])}").find(line[end]) != std::string_view::npos ? 1 : 0;
-            if (depth == 0) {
-                break;
-            }
-        }
-        parts.push_back(line.substr(i, end + 1 - i));
-        for (; begin > 0 && is_letter(line[begin - 1]); --begin) {
-        }
-        parts.push_back(line.substr(begin, end + 1 - begin));
-    }
-    return parts;
-}
-
 /// Whether it may stand in a LIST as it is.
 bool is_plain(const std::string& name) {
     return std::ranges::all_of(name, [](char c) {
@@ -123,6 +76,9 @@ public:
         if (first != rows_.end() && !offer_columns(static_cast<std::size_t>(first - rows_.begin()))) {
             return std::move(mends_); // what is read by index would be against the names
         }
+        if (command_->line->find("--differences") != nullptr) { // of attitudes alone
+            mends_.push_back({{{{{Edit::at_end}, 0, {"--differences"}}}}});
+        }
         const std::string_view line = rows_[at_].line.text;
         if (line.find('\t') != std::string_view::npos && line.find(' ') != std::string_view::npos) {
             offer({setting("--delimiter", "blank")});
@@ -131,7 +87,7 @@ public:
         offer({setting("--comment", mark.empty() ? "COMMENT" : std::string(mark))});
         offer_matrices();
         offer_kinds();
-        offer_attitudes();
+        offer_labelled_lines();
         offer_text("", std::string(text_));
         for (std::size_t i = rows_.size();
              i-- > std::max<std::size_t>(at_, 1);) { // of several blocks of numbers the last
@@ -188,12 +144,12 @@ private:
         }
         for (std::size_t i = 0; is_alone && spec_->name == RepresentationId::quat && i + count_ <= fields; ++i) {
             const auto columns = setting("--columns", fmt::format("{}-{}", i + 1, i + count_));
+            const std::size_t before = mends_.size();
             offer({columns}, pipe, text);
-            if (!spec_->has_given_order && spec_->project == nullptr && columns) {
+            if (!spec_->has_given_order && spec_->project == nullptr && mends_.size() > before) {
                 offer({columns, setting("--from", "quat:xyzw")}, pipe, text);
-                auto other = std::move(mends_.back());
+                mends_[before].push_back(mends_.back().front());
                 mends_.pop_back();
-                std::ranges::move(other, std::back_inserter(mends_.back()));
             }
         }
     }
@@ -205,11 +161,14 @@ private:
                 columns.push_back(i + 1);
             }
         }
-        const bool has_labels = std::ranges::any_of(rows_, [&fields](const Row& each) { // each line is another thing
-            return fields[0].ends_with(':') && each.has_numbers && each.fields[0] != fields[0];
-        });
+        const bool has_brackets = std::ranges::any_of(
+            fields, [](std::string_view field) { return field.find_first_of("[](){}") != std::string_view::npos; });
+        const bool has_labels = !columns.empty() && fields[0].ends_with(':') && // each line is another thing
+                                std::ranges::any_of(rows_, [&fields](const Row& each) {
+                                    return each.has_numbers && each.fields[0] != fields[0];
+                                });
         const bool is_range = columns.size() > 2 && columns.back() - columns.front() + 1 == columns.size();
-        return columns.size() != count_ || columns.size() == fields.size() || has_labels ? ""
+        return columns.size() != count_ || columns.size() == fields.size() || has_labels || has_brackets ? ""
                : is_range ? fmt::format("{}-{}", columns.front(), columns.back())
                           : joined(columns);
     }
@@ -304,68 +263,15 @@ private:
         }
     }
 
-    /// Offers the numbers of lines that hold an attitude as VALUEs do, of those with a word of the first one.
-    void offer_attitudes() {
+    void offer_labelled_lines() {
         const Option* const from = command_->line->find("--from");
-        if (!spec_ || spec_->size() != count_ || from == nullptr) {
-            return;
+        const auto lines = mapped(rows_, [](const Row& row) { return row.line.text; });
+        const auto found = spec_ && spec_->size() == count_ && from != nullptr
+                               ? labelled_lines(lines, input_.numbers, from->text())
+                               : std::nullopt;
+        if (found) {
+            offer({setting("--columns", found->columns)}, found->command, found->text, found->others);
         }
-        for (const Row& row : rows_) {
-            std::string line(row.line.text);
-            const auto columns =
-                line.find_first_of("[](){}<>:=") == std::string::npos ? std::nullopt : columns_in(line, from->text());
-            if (!columns) {
-                continue;
-            }
-            const std::size_t width = words_in(numbers_alone(line)).size();
-            std::ranges::replace_if(
-                line, [](char c) { return !is_letter(c) && (c < '0' || c > '9'); }, ' ');
-            auto keys = filtered(words_in(line), [](const std::string& word) { return is_letter(word[0]); });
-            keys.emplace_back("[0-9]"); // all with numbers
-            for (const std::string& key : keys) {
-                std::string lines;
-                bool are_like = true;
-                for (const Row& each : rows_) {
-                    const bool has_key = each.line.text.find_first_of("0123456789") != std::string_view::npos &&
-                                         (&key == &keys.back() || each.line.text.find(key) != std::string_view::npos);
-                    const std::string numbers = has_key ? numbers_alone(each.line.text) : "";
-                    are_like = are_like && (!has_key || words_in(numbers).size() == width);
-                    lines += has_key ? numbers + "\n" : "";
-                }
-                if (are_like) {
-                    offer({setting("--columns", *columns)}, "grep " + in_shell(key), lines,
-                          fmt::format(" | {}", numbers_filter));
-                    return;
-                }
-            }
-            return;
-        }
-    }
-    /// Which of the numbers of a line are those of an attitude that it holds.
-    [[nodiscard]] std::optional<std::string> columns_in(const std::string& line, const std::string& from) const {
-        for (const std::string& part : parts_of_line(line)) {
-            std::string before = line.substr(0, line.find(part));
-            const std::size_t first = words_in(numbers_alone(before)).size();
-            // each number by its index
-            const std::string alone = numbers_alone(part);
-            std::string counted_part;
-            std::size_t count = 0;
-            for (std::size_t i = 0; i < part.size(); ++i) {
-                const bool is_of_number = alone[i] != ' ';
-                if (!is_of_number) {
-                    counted_part += part[i];
-                } else if (i == 0 || alone[i - 1] == ' ') {
-                    counted_part += fmt::format("{}", first + ++count);
-                }
-            }
-            if (const auto values = attitude_in(counted_part, input_.numbers, from);
-                values && !values->has_other_label) {
-                std::string columns = values->row;
-                std::ranges::replace(columns, ' ', ',');
-                return columns;
-            }
-        }
-        return std::nullopt;
     }
 
     static constexpr std::size_t most_kinds = 4;
@@ -544,8 +450,14 @@ std::vector<std::string> specs_of_file(const std::string& name, const std::strin
             specs.emplace_back(spec);
         }
     }
-    std::string unsaid;
-    return specs.empty() ? specs_of_numbers(numbers_in(joined(row.fields, " ")), unsaid) : specs;
+    if (specs.empty() && header.empty()) { // a matrix may be of several lines
+        const std::size_t size = row.fields.size();
+        specs = size == 3   ? std::vector<std::string>{"dcm", "rpy", "rotvec"}
+                : size == 4 ? std::vector<std::string>{"quat", "quat:xyzw", "dcm"}
+                : size == 9 ? std::vector<std::string>{"dcm"}
+                            : std::vector<std::string>();
+    }
+    return specs;
 }
 
 } // namespace
@@ -578,7 +490,9 @@ Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
         const std::size_t place = lacks_from || from == nullptr ? options.begin : from->place.word + 1;
         mends.push_back({{{{place}, 0, {lacks_from ? "-f" : "-t", spec}}}});
     }
-    return Usage(said).with(std::move(mends), said == error.what() ? "; see rotconv --help" : "");
+    Usage usage = Usage(said).with(std::move(mends), said == error.what() ? "; see rotconv --help" : "");
+    usage.guesses_spec = lacks_from;
+    return usage;
 }
 
 std::vector<std::vector<Mend>> json_mends(const RowsCommand& command, std::string_view beginning) {

@@ -28,12 +28,9 @@ template <class... Arguments>
 /// The same where other SPECs are meant.
 template <class... Arguments> [[noreturn]] void
 refuse_for(std::vector<std::string> specs, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    try {
-        refuse(format, std::forward<Arguments>(arguments)...);
-    } catch (Usage& error) {
-        error.specs = std::move(specs);
-        throw;
-    }
+    Usage error("argument: {}", fmt::format(format, std::forward<Arguments>(arguments)...));
+    error.specs = std::move(specs);
+    throw error;
 }
 
 std::vector<std::string> labels_of(const Numbers& numbers) { return mapped(numbers, &ValueNumber::label); }
@@ -422,7 +419,8 @@ private:
             if (!number.unit.empty() && !(has_angles && number.unit == (is_angle ? own : numbers.back().unit))) {
                 Spec meant = part_.attitude.value_or(Spec());
                 meant.unit = own == "deg" ? AngleUnit::radians : AngleUnit::degrees;
-                refuse_for({meant.text()}, "{} is in {}, but {} {}", quoted(number.text), number.unit, text_of_part(),
+                const auto specs = has_angles ? std::vector{meant.text()} : std::vector<std::string>();
+                refuse_for(specs, "{} is in {}, but {} {}", quoted(number.text), number.unit, text_of_part(),
                            has_angles ? fmt::format("is in {}: {}", own, meant.text()) : "has no angles");
             }
         }
@@ -536,14 +534,16 @@ Values values_of(const std::vector<std::string>& words, std::optional<stream::De
     return values;
 }
 
-std::optional<Values> attitude_in(const std::string& text, const stream::RowNumbers& numbers, std::string_view from) {
+std::optional<Values> attitude_in(const std::string& text, const stream::RowNumbers& numbers, std::string_view from,
+                                  bool& means_other) {
     try {
         Values values = values_of({text}, std::nullopt, numbers, from, false);
         std::vector<std::string_view> fields;
         static_cast<void>(values.delimiter.split(values.row, fields));
         const bool is_one = fields.size() == numbers.names.size() && std::ranges::all_of(fields, stream::is_number);
         return is_one ? std::optional(std::move(values)) : std::nullopt;
-    } catch (const Usage&) {
+    } catch (const Usage& error) {
+        means_other = !error.specs.empty();
         return std::nullopt;
     }
 }

@@ -35,7 +35,8 @@ struct Values {
                                const stream::RowNumbers& numbers, std::string_view from, bool are_selected);
 
 /// The same of a text that is one attitude; nothing where it is none.
+/// @param means_other is set where it is that of another SPEC
 [[nodiscard]] std::optional<Values> attitude_in(const std::string& text, const stream::RowNumbers& numbers,
-                                                std::string_view from);
+                                                std::string_view from, bool& means_other);
 
 } // namespace rotconv::cli

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <thread>
 #include <utility>
@@ -92,13 +93,23 @@ std::string File::name_of_input() { // Linux has these links
 
 const std::string& File::lines_of_pipe() {
     static const std::string lines = [] {
+        constexpr auto longest = std::chrono::milliseconds(300);
+        const auto end = std::chrono::steady_clock::now() + longest;
         struct stat status {};
         std::string text(std::size_t{64} << 10U, '\0');
-        const bool is_pipe = ::fstat(STDIN_FILENO, &status) == 0 && S_ISFIFO(status.st_mode);
-        const ssize_t size =
-            is_pipe && wait_for(STDIN_FILENO, POLLIN, 300) > 0 ? ::read(STDIN_FILENO, text.data(), text.size()) : 0;
-        text.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
-        text.resize(text.rfind('\n') + 1);
+        std::size_t size = 0;
+        bool is_whole = ::fstat(STDIN_FILENO, &status) != 0 || !S_ISFIFO(status.st_mode);
+        while (!is_whole && size < text.size()) {
+            const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
+            if (left.count() <= 0 || wait_for(STDIN_FILENO, POLLIN, static_cast<int>(left.count())) <= 0) {
+                break;
+            }
+            const ssize_t count = ::read(STDIN_FILENO, text.data() + size, text.size() - size);
+            is_whole = count <= 0;
+            size += count > 0 ? static_cast<std::size_t>(count) : 0;
+        }
+        text.resize(size);
+        text.resize(is_whole ? size : text.rfind('\n') + 1);
         return text;
     }();
     return lines;

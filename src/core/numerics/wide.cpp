@@ -31,6 +31,8 @@ thread_local bool is_doubted = false; // NOLINT(*-avoid-non-const-global-variabl
 struct Bound {
     double v = 0.0;
     Exponent x = 0;
+
+    bool operator==(const Bound&) const = default;
 };
 Bound bound(double v, Exponent x) noexcept {
     int own = 0;
@@ -143,6 +145,7 @@ struct Wide::Number {
     Bound r{};
     bool is_infinite = false;
 
+    bool operator==(const Number&) const = default;
     [[nodiscard]] Exponent top() const noexcept { return e + length(m); } ///< the number is below 2^top
     [[nodiscard]] Bound size() const noexcept { return m.is_zero() ? Bound() : bound_of_bit(top()); }
     [[nodiscard]] Bound least() const noexcept { return m.is_zero() ? Bound() : bound_of_bit(top() - 1); }
@@ -377,8 +380,7 @@ void Wide::sine_cosine(const Wide& angle, bool in_degrees, Wide& sine, Wide& cos
     constexpr std::size_t most = 64;
     const Number& n = *angle.number_;
     const auto is_same = [&](const Known& known) {
-        return known.bits == work_bits && known.in_degrees == in_degrees && known.angle.e == n.e &&
-               known.angle.r.v == n.r.v && known.angle.r.x == n.r.x && known.angle.m == n.m;
+        return known.bits == work_bits && known.in_degrees == in_degrees && known.angle == n;
     };
     auto known = std::find_if(all.begin(), all.end(), is_same);
     if (known == all.end()) {

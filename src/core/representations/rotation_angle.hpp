@@ -13,7 +13,7 @@ inline double sine_of(double angle) noexcept {
     return sine_cosine<double>(DoubleDouble(angle), AngleUnit::radians).sine;
 }
 
-/// That of w, x, y, z, |q|^2 in [1/4, 4) or nan.
+/// The rotation of w, x, y, z in a row; |q|^2 in [1/4, 4), or nan.
 inline Rotation rotation_at(const double* q) noexcept { return Rotation::near_unit(q[0], q[1], q[2], q[3]); }
 
 /// sin^2 of half its angle.
