@@ -85,7 +85,6 @@ struct Outcome {
     bool serves = false;
     bool has_other_names = false;           ///< in its header
     bool is_tried = false;                  ///< on the first rows
-    bool is_json = false;                   ///< that it reads
     bool is_of_project = false;             ///< which has several SPECs
     bool is_of_values = false;              ///< which mean another SPEC
     bool guesses_spec = false;              ///< see Usage
@@ -94,7 +93,7 @@ struct Outcome {
 };
 
 /// Runs the rows at hand, and tells nothing.
-Outcome outcome_of(const RowsCommand& command, const std::string& text, bool whole) {
+Outcome outcome_of(const RowsCommand& command, const std::string& text, bool whole, bool is_guess) {
     std::optional<stream::RowError> wrong;
     std::vector<Edit> better;
     const bool says_radians = std::ranges::any_of(
@@ -138,10 +137,11 @@ Outcome outcome_of(const RowsCommand& command, const std::string& text, bool who
         return {.is_tried = true};
     }
     if (ending.error && ending.error->what == What::json) {
-        return {.is_tried = true, .is_json = true, .mends = json_mends(command, text)};
+        return {.is_tried = true, .mends = json_mends(command, text, is_guess)};
     }
     const std::size_t line = ending.error ? ending.error->place.line : wrong ? wrong->place.line : 0;
-    return {.is_tried = true, .mends = line > 0 ? row_mends(command, text, line) : std::vector<std::vector<Mend>>()};
+    return {.is_tried = true,
+            .mends = line > 0 ? row_mends(command, text, line, is_guess) : std::vector<std::vector<Mend>>()};
 }
 
 /// @param whole all rows at hand must be answered, not only the first
@@ -159,8 +159,9 @@ Outcome outcome_of(const Attempt& attempt, bool whole = false) {
         const auto text = attempt.text || !attempt.pipe.empty() ? attempt.text
                           : is_pipe                             ? std::optional(stream::File::lines_of_pipe())
                                                                 : first_bytes(rows->input);
-        return rows->has_values || text ? outcome_of(*rows, text.value_or(""), whole || !attempt.pipe.empty())
-                                        : Outcome{.serves = true};
+        return rows->has_values || text
+                   ? outcome_of(*rows, text.value_or(""), whole || !attempt.pipe.empty(), attempt.has_guess)
+                   : Outcome{.serves = true};
     } catch (const Usage& error) {
         Outcome outcome{
             .is_of_project = error.is_choice, .is_of_values = !error.specs.empty(), .guesses_spec = error.guesses_spec};
@@ -242,8 +243,7 @@ private:
             }
         }
         // the SPECs of a project are not those that others write in the same words
-        const bool is_done = outcome.serves || depth == deepest || (is_of_project_ && outcome.is_of_values) ||
-                             (attempt.has_guess && outcome.is_tried && !outcome.is_json);
+        const bool is_done = outcome.serves || depth == deepest || (is_of_project_ && outcome.is_of_values);
         for (auto group = outcome.mends.begin(); group != outcome.mends.end() && !is_done; ++group) {
             const std::size_t before = found_.size();
             for (const Mend& mend : *group) {

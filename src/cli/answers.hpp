@@ -38,10 +38,12 @@ inline constexpr std::string_view raw_word = "\x01";
 
 /// Mends of a command that cannot read its first rows, those of a group as good as each other; see row_mends.cpp.
 /// @param line at which reading stopped
+/// @param is_guess the SPEC is one: rows must say that they are its own
 [[nodiscard]] std::vector<std::vector<Mend>> row_mends(const RowsCommand& command, std::string_view beginning,
-                                                       std::size_t line);
+                                                       std::size_t line, bool is_guess);
 
 /// The same where they are JSON.
-[[nodiscard]] std::vector<std::vector<Mend>> json_mends(const RowsCommand& command, std::string_view beginning);
+[[nodiscard]] std::vector<std::vector<Mend>> json_mends(const RowsCommand& command, std::string_view beginning,
+                                                        bool is_guess);
 
 } // namespace rotconv::cli

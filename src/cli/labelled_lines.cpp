@@ -142,7 +142,7 @@ private:
             if (are_alike && lines.size() > most) {
                 most = lines.size();
                 best = {word.empty() ? "grep '[0-9]'" : "grep -w " + word, fmt::format(" | {}", numbers_filter),
-                        joined(mapped(lines, numbers_alone), "\n") + "\n", columns};
+                        joined(mapped(lines, numbers_alone), "\n") + "\n", std::string(line), columns};
             }
         }
         return best;

@@ -14,6 +14,7 @@ struct LabelledLines {
     std::string command; ///< that reads the file
     std::string others;  ///< behind a |
     std::string text;    ///< what they make of the lines
+    std::string line;    ///< the first
     std::string columns; ///< of the attitude among the numbers, as a LIST
 };
 

@@ -60,8 +60,8 @@ bool is_plain(const std::string& name) {
 /// The beginning of a stream with a row that cannot be read, and how it may be read.
 class UnreadRows {
 public:
-    UnreadRows(const RowsCommand& command, std::string_view text, std::size_t line)
-        : command_(&command), input_(command.options.input), spec_(input_.numbers.attitude),
+    UnreadRows(const RowsCommand& command, std::string_view text, std::size_t line, bool is_guess)
+        : command_(&command), is_guess_(is_guess), input_(command.options.input), spec_(input_.numbers.attitude),
           count_(input_.numbers.names.size()), at_(line - 1), text_(text) {
         while (!text.empty()) {
             rows_.emplace_back(stream::next_line(text), input_);
@@ -86,7 +86,9 @@ public:
         const auto mark = line.substr(0, line.find_first_not_of("/%!*;|"));
         offer({setting("--comment", mark.empty() ? "COMMENT" : std::string(mark))});
         offer_matrices();
-        offer_kinds();
+        if (!is_guess_) {
+            offer_kinds();
+        }
         offer_labelled_lines();
         offer_text("", std::string(text_));
         for (std::size_t i = rows_.size();
@@ -269,7 +271,8 @@ private:
         const auto found = spec_ && spec_->size() == count_ && from != nullptr
                                ? labelled_lines(lines, input_.numbers, from->text())
                                : std::nullopt;
-        if (found) {
+        const bool is_named = found && lower(found->line).find(representation(spec_->name).text) != std::string::npos;
+        if (found && (is_named || !is_guess_)) {
             offer({setting("--columns", found->columns)}, found->command, found->text, found->others);
         }
     }
@@ -277,6 +280,7 @@ private:
     static constexpr std::size_t most_kinds = 4;
 
     const RowsCommand* command_;
+    bool is_guess_; ///< the SPEC is one
     const stream::InputOptions& input_;
     const std::optional<Spec>& spec_;
     std::size_t count_; ///< of numbers
@@ -452,19 +456,20 @@ std::vector<std::string> specs_of_file(const std::string& name, const std::strin
     }
     if (specs.empty() && header.empty()) { // a matrix may be of several lines
         const std::size_t size = row.fields.size();
-        specs = size == 3   ? std::vector<std::string>{"dcm", "rpy", "rotvec"}
-                : size == 4 ? std::vector<std::string>{"quat", "quat:xyzw", "dcm"}
-                : size == 9 ? std::vector<std::string>{"dcm"}
-                            : std::vector<std::string>();
+        specs = size == 3                               ? std::vector<std::string>{"dcm", "rpy", "rotvec"}
+                : size == 4                             ? std::vector<std::string>{"quat", "quat:xyzw", "dcm"}
+                : size == 9 || size == 12 || size == 16 ? std::vector<std::string>{"dcm"}
+                                                        : std::vector<std::string>{"quat", "quat:xyzw"};
     }
     return specs;
 }
 
 } // namespace
 
-std::vector<std::vector<Mend>> row_mends(const RowsCommand& command, std::string_view beginning, std::size_t line) {
+std::vector<std::vector<Mend>> row_mends(const RowsCommand& command, std::string_view beginning, std::size_t line,
+                                         bool is_guess) {
     const bool is_text = beginning.find('\0') == std::string_view::npos;
-    return is_text ? UnreadRows(command, beginning, line).mends() : std::vector<std::vector<Mend>>();
+    return is_text ? UnreadRows(command, beginning, line, is_guess).mends() : std::vector<std::vector<Mend>>();
 }
 
 Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
@@ -495,7 +500,7 @@ Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
     return usage;
 }
 
-std::vector<std::vector<Mend>> json_mends(const RowsCommand& command, std::string_view beginning) {
+std::vector<std::vector<Mend>> json_mends(const RowsCommand& command, std::string_view beginning, bool is_guess) {
     const stream::InputOptions& input = command.options.input;
     const auto selected = input.columns.names();
     const bool by_name = input.columns.has_names();
@@ -503,7 +508,8 @@ std::vector<std::vector<Mend>> json_mends(const RowsCommand& command, std::strin
         by_name ? std::vector<std::string>(selected.begin(), selected.end()) : input.numbers.names;
     const std::string_view text = beginning.substr(std::min(beginning.find_first_of("{["), beginning.size()));
     const JsonRows rows = rows_in_json(text, wanted, by_name ? std::nullopt : input.numbers.attitude);
-    if (rows.filters.size() != 1) {
+    const bool is_by_count = rows.filters.size() == 1 && rows.filters[0].find("[.") == std::string::npos;
+    if (rows.filters.size() != 1 || (is_guess && is_by_count)) {
         return {};
     }
     Mend mend;
