@@ -261,7 +261,11 @@ public:
         }
         const std::size_t listed = has("@ARG") ? size_of_list() : 1;
         const bool is_of_rotate = options_->begin > 0 && options_->words[options_->begin - 1] == "rotate";
-        if (listed == 0 || (text == "-o ARG" && is_spec(argument_)) || (text == "@ARG" && !is_of_rotate)) {
+        if (is_spec(text) && argument_.find(',') != std::string::npos && !is_value(argument_)) { // --quat a,b,c,d
+            return {{{{{at_}, is_joined_ ? std::size_t{1} : 2, {"-f", text, "--columns", argument_}}}}};
+        }
+        if (listed == 0 || (text == "- -" && argument_.size() != 1) || (text == "-o ARG" && is_spec(argument_)) ||
+            (text == "@ARG" && !is_of_rotate)) {
             return {};
         }
         Mend mend{{{{at_}, takes_argument && listed < 2 && !is_joined_ ? std::size_t{2} : 1}}};
