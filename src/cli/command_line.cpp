@@ -184,6 +184,7 @@ void refuse_verb(const CommandOptions& options) {
 
 } // namespace
 
+// NOLINTNEXTLINE(misc-no-recursion): once more, for the command that is meant
 Command read_command_line(const std::vector<std::string>& words) {
     const auto table = command_table();
     const auto commands = std::span<const CommandEntry>(table).subspan(1);

@@ -126,7 +126,7 @@ Words specs_of_parts(std::string text) {
             name = name.empty() || name == "euler" ? own : "none";
         } else {
             name = name.empty() && is_spec("quat:" + own) && own.size() == 4 ? "quat" : name; // of an order
-            modifiers += ":" + own;
+            modifiers.append(":").append(own);
         }
     }
     sequences = sequences.empty() ? Words{name} : name.empty() || name == "euler" ? sequences : Words();

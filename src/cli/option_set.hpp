@@ -51,6 +51,11 @@ public:
         return std::move(*this);
     }
 
+    [[nodiscard]] Usage of(std::vector<std::string> others) && {
+        specs = std::move(others);
+        return std::move(*this);
+    }
+
     std::vector<Mend> mends{};
     std::string otherwise{};
     std::vector<std::string> specs{}; ///< that may be meant in the place of --from

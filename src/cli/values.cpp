@@ -28,9 +28,7 @@ template <class... Arguments>
 /// The same where other SPECs are meant.
 template <class... Arguments> [[noreturn]] void
 refuse_for(std::vector<std::string> specs, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    Usage error("argument: {}", fmt::format(format, std::forward<Arguments>(arguments)...));
-    error.specs = std::move(specs);
-    throw error;
+    throw Usage("argument: {}", fmt::format(format, std::forward<Arguments>(arguments)...)).of(std::move(specs));
 }
 
 std::vector<std::string> labels_of(const Numbers& numbers) { return mapped(numbers, &ValueNumber::label); }
