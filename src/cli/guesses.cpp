@@ -125,7 +125,8 @@ Words specs_of_parts(std::string text) {
         } else if (is_euler || is_spec(own)) {
             name = name.empty() || name == "euler" ? own : "none";
         } else {
-            name = name.empty() && is_spec("quat:" + own) && own.size() == 4 ? "quat" : name; // of an order
+            name =
+                name.empty() && is_spec(fmt::format("quat:{}", own)) && own.size() == 4 ? "quat" : name; // of an order
             modifiers.append(":").append(own);
         }
     }
