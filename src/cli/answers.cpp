@@ -120,8 +120,8 @@ Outcome outcome_of(const RowsCommand& command, const std::string& text, bool who
     stream::TextSource of_text{text};
     stream::Source& source = command.source ? *command.source : of_text;
     std::optional<stream::TextSource> reference;
+    const auto bytes = first_bytes(command.reference);
     if (!command.reference.empty()) {
-        const auto bytes = first_bytes(command.reference);
         if (!bytes) {
             return {.serves = true};
         }
@@ -133,8 +133,11 @@ Outcome outcome_of(const RowsCommand& command, const std::string& text, bool who
         return {.serves = true, .has_other_names = has_others, .is_tried = !has_others, .better = better};
     }
     using What = stream::StreamError::What;
-    if (command.has_values || options.input.width > 0 || (wrong && wrong->place.is_in_reference())) {
+    if (command.has_values || options.input.width > 0) {
         return {.is_tried = true};
+    }
+    if ((ending.error && ending.error->place.is_in_reference()) || (wrong && wrong->place.is_in_reference())) {
+        return {.is_tried = true, .mends = reference_mends(command, *bytes)};
     }
     if (ending.error && ending.error->what == What::json) {
         return {.is_tried = true, .mends = json_mends(command, text, is_guess)};

@@ -42,6 +42,9 @@ inline constexpr std::string_view raw_word = "\x01";
 [[nodiscard]] std::vector<std::vector<Mend>> row_mends(const RowsCommand& command, std::string_view beginning,
                                                        std::size_t line, bool is_guess);
 
+/// The same of the REFERENCE: the columns of a project's file without a header.
+[[nodiscard]] std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::string_view beginning);
+
 /// The same where they are JSON.
 [[nodiscard]] std::vector<std::vector<Mend>> json_mends(const RowsCommand& command, std::string_view beginning,
                                                         bool is_guess);

@@ -297,7 +297,8 @@ public:
         if (is_joined_ && !takes_argument && !by.empty()) {
             by.back() += "=" + argument_;
         }
-        return modifier.empty() ? std::vector<Mend>{mend} : with(mend, modifier);
+        const bool is_default = modifier.empty() || unit_of_word(modifier) == "rad";
+        return is_default ? std::vector<Mend>{mend} : with(mend, modifier);
     }
 
 private:

@@ -133,16 +133,21 @@ private:
         std::size_t most = 0;
         for (const std::string& word : words) {
             const auto lines = filtered(*lines_, [&word](std::string_view each) { return is_with(each, word); });
-            const std::size_t width = words_in(numbers_alone(line)).size();
+            const auto rows = mapped(lines, numbers_alone);
+            const auto is_wide = [&line](const std::string& row) {
+                return words_in(row).size() == words_in(numbers_alone(line)).size();
+            };
             std::size_t tried = 0;
-            const bool are_alike = std::ranges::all_of(lines, [&](std::string_view each) {
-                return words_in(numbers_alone(each)).size() == width &&
-                       (++tried > most_tried || columns_in(each) == columns);
-            });
+            const bool are_alike = std::ranges::all_of(
+                lines, [&](std::string_view each) { return ++tried > most_tried || columns_in(each) == columns; });
             if (are_alike && lines.size() > most) {
                 most = lines.size();
-                best = {word.empty() ? "grep '[0-9]'" : "grep -w " + word, fmt::format(" | {}", numbers_filter),
-                        joined(mapped(lines, numbers_alone), "\n") + "\n", std::string(line), columns};
+                best = {word.empty() ? "grep '[0-9]'" : "grep -w " + word,
+                        fmt::format(" | {}", numbers_filter),
+                        joined(rows, "\n") + "\n",
+                        std::string(line),
+                        !std::ranges::all_of(rows, is_wide),
+                        columns};
             }
         }
         return best;

@@ -15,6 +15,7 @@ struct LabelledLines {
     std::string others;  ///< behind a |
     std::string text;    ///< what they make of the lines
     std::string line;    ///< the first
+    bool is_ragged;      ///< its lines have different counts of numbers
     std::string columns; ///< of the attitude among the numbers, as a LIST
 };
 

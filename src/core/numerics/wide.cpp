@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <list>
+#include <mutex>
 #include <utility>
 
 #ifndef BOOST_NO_CXX98_FUNCTION_BASE
@@ -376,23 +377,30 @@ void Wide::sine_cosine(const Wide& angle, bool in_degrees, Wide& sine, Wide& cos
         int bits = 0;
         Wide sine, cosine;
     };
-    thread_local std::list<Known> all; // the latest first: the angles of fixed rotations come again with each row
     constexpr std::size_t most = 64;
+    // the latest first: the angles of fixed rotations come again with each row; no thread's own, for MinGW destroys
+    // such objects after their memory
+    static std::mutex mutex;
+    static auto& all = *new std::list<Known>;
     const Number& n = *angle.number_;
-    const auto is_same = [&](const Known& known) {
-        return known.bits == work_bits && known.in_degrees == in_degrees && known.angle == n;
-    };
-    auto known = std::find_if(all.begin(), all.end(), is_same);
-    if (known == all.end()) {
-        known = all.size() < most ? all.emplace(all.end()) : std::prev(all.end());
-        find_sine_cosine(angle, in_degrees, known->sine, known->cosine);
-        known->angle = n;
-        known->in_degrees = in_degrees;
-        known->bits = work_bits;
+    {
+        const std::lock_guard lock(mutex);
+        const auto known = std::find_if(all.begin(), all.end(), [&](const Known& each) {
+            return each.bits == work_bits && each.in_degrees == in_degrees && each.angle == n;
+        });
+        if (known != all.end()) {
+            all.splice(all.begin(), all, known);
+            sine = known->sine;
+            cosine = known->cosine;
+            return;
+        }
     }
-    all.splice(all.begin(), all, known);
-    sine = known->sine;
-    cosine = known->cosine;
+    const Number own = n; // one of the results may be the angle
+    find_sine_cosine(angle, in_degrees, sine, cosine);
+    const std::lock_guard lock(mutex);
+    all.size() < most ? all.splice(all.begin(), std::list<Known>(1))
+                      : all.splice(all.begin(), all, std::prev(all.end()));
+    all.front() = {own, in_degrees, work_bits, sine, cosine};
 }
 
 void Wide::find_sine_cosine(const Wide& angle, bool in_degrees, Wide& sine, Wide& cosine) noexcept {
