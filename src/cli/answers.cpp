@@ -14,6 +14,7 @@
 #include "../stream/run.hpp"
 #include "column_names.hpp"
 #include "row_options.hpp"
+#include "value_text.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -24,6 +25,7 @@ struct Attempt {
     std::string pipe{};                ///< see Mend
     std::optional<std::string> text{}; ///< the beginning of its input; nothing: not at hand, or in the FILE
     bool may_read_pipe = false;        ///< nothing else will
+    bool says_radians = false;         ///< as it was given
     bool has_guess = false;            ///< its SPEC is a guess
 
     [[nodiscard]] Attempt after(const Mend& mend, bool is_ordered = true) const {
@@ -93,15 +95,13 @@ struct Outcome {
 };
 
 /// Runs the rows at hand, and tells nothing.
-Outcome outcome_of(const RowsCommand& command, const std::string& text, bool whole, bool is_guess) {
+Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std::string& text, bool whole) {
     std::optional<stream::RowError> wrong;
     std::vector<Edit> better;
-    const bool says_radians = std::ranges::any_of(
-        command.line->words, [](const std::string& word) { return word.find("rad") != std::string::npos; });
     const auto take = [&](const stream::Event& event) {
         const auto* const diagnostic = std::get_if<stream::Diagnostic>(&event);
         if (diagnostic != nullptr && diagnostic->kind == DiagnosticKind::large_angle && better.empty() &&
-            !says_radians) {
+            !attempt.says_radians) {
             better.push_back({{Edit::at_end}, 0, {"-d"}});
         }
         const auto* const note = std::get_if<stream::Note>(&event);
@@ -140,11 +140,11 @@ Outcome outcome_of(const RowsCommand& command, const std::string& text, bool who
         return {.is_tried = true, .mends = reference_mends(command, *bytes)};
     }
     if (ending.error && ending.error->what == What::json) {
-        return {.is_tried = true, .mends = json_mends(command, text, is_guess)};
+        return {.is_tried = true, .mends = json_mends(command, text, attempt.has_guess)};
     }
     const std::size_t line = ending.error ? ending.error->place.line : wrong ? wrong->place.line : 0;
     return {.is_tried = true,
-            .mends = line > 0 ? row_mends(command, text, line, is_guess) : std::vector<std::vector<Mend>>()};
+            .mends = line > 0 ? row_mends(command, text, line, attempt.has_guess) : std::vector<std::vector<Mend>>()};
 }
 
 /// @param whole all rows at hand must be answered, not only the first
@@ -157,14 +157,17 @@ Outcome outcome_of(const Attempt& attempt, bool whole = false) {
         if (rows == nullptr) {
             return {.serves = true};
         }
-        const bool is_pipe =
-            rows->input == "-" && !rows->has_values && attempt.may_read_pipe && !stream::File::lines_of_pipe().empty();
+        if (!attempt.pipe.empty() && stream::File::is_regular(rows->output.c_str())) {
+            return {}; // it may be what the pipe reads
+        }
+        const bool is_read = rows->input == "-" && !rows->has_values && !rows->source;
+        const bool is_pipe = attempt.may_read_pipe && is_read && !attempt.text && attempt.pipe.empty() &&
+                             !stream::File::lines_of_pipe().empty();
         const auto text = attempt.text || !attempt.pipe.empty() ? attempt.text
                           : is_pipe                             ? std::optional(stream::File::lines_of_pipe())
                                                                 : first_bytes(rows->input);
-        return rows->has_values || text
-                   ? outcome_of(*rows, text.value_or(""), whole || !attempt.pipe.empty(), attempt.has_guess)
-                   : Outcome{.serves = true};
+        return rows->has_values || text ? outcome_of(*rows, attempt, text.value_or(""), whole || !attempt.pipe.empty())
+                                        : Outcome{.serves = true};
     } catch (const Usage& error) {
         Outcome outcome{
             .is_of_project = error.is_choice, .is_of_values = !error.specs.empty(), .guesses_spec = error.guesses_spec};
@@ -296,6 +299,10 @@ std::string answers(const std::vector<std::string>& words, std::optional<std::st
         wrong.text = std::string(*beginning);
     }
     wrong.may_read_pipe = !beginning;
+    wrong.says_radians = std::ranges::any_of(words, [](const std::string& word) {
+        const auto parts = parts_of_label(word);
+        return std::ranges::any_of(parts, [](const std::string& part) { return unit_of_word(part) == "rad"; });
+    });
     const Search search(wrong);
     for (const std::string& command : search.found()) {
         lines += fmt::format("try: {}\n", command);

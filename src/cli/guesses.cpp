@@ -297,8 +297,13 @@ public:
         if (is_joined_ && !takes_argument && !by.empty()) {
             by.back() += "=" + argument_;
         }
-        const bool is_default = modifier.empty() || unit_of_word(modifier) == "rad";
-        return is_default ? std::vector<Mend>{mend} : with(mend, modifier);
+        if (unit_of_word(modifier) == "rad") { // which they are without -d and :deg
+            const bool are_degrees = std::ranges::any_of(options_->words, [](const std::string& word) {
+                return word == "-d" || word == "--degrees" || word.find(":deg") != std::string::npos;
+            });
+            return are_degrees ? std::vector<Mend>() : std::vector<Mend>{mend};
+        }
+        return modifier.empty() ? std::vector<Mend>{mend} : with(mend, modifier);
     }
 
 private:
@@ -336,6 +341,10 @@ private:
     /// Also with a modifier of one of the SPECs, but an inverse of the one that is written.
     [[nodiscard]] std::vector<Mend> with(const Mend& mend, const std::string& modifier) const {
         const bool is_inverse = modifier == "passive";
+        const Option* const own = options_->find("--from");
+        if (is_preset(modifier) && own != nullptr && !own->given()) { // it is said of the numbers that are read
+            return {};
+        }
         std::vector<Mend> mends;
         for (const char* name : {is_inverse ? "--to" : "--from", is_inverse ? "--from" : "--to"}) {
             const Option* const option = options_->find(name);
@@ -387,7 +396,10 @@ Usage no_such_option(const OptionSet& options) {
         const Replaced replaced(options, options.unknown_place.word);
         const auto names = mapped(options.all(), &Option::name);
         const std::size_t next = options.unknown_place.word + 1;
-        const bool has_spec = next < options.words.size() && is_spec(options.words[next]); // --out quat
+        const std::size_t equals = options.unknown.find('='); // --out quat, --out=quat
+        const bool has_spec = equals != std::string::npos
+                                  ? is_spec(std::string_view(options.unknown).substr(equals + 1))
+                                  : next < options.words.size() && is_spec(options.words[next]);
         const auto begun = filtered(names, [&](std::string_view each) { // --inv, not --time of --time-unit
             return !has_spec && each.size() > name.size() && each.starts_with(name) && each[name.size()] != '-';
         });

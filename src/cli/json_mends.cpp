@@ -63,6 +63,8 @@ struct JsonRows {
 JsonRows rows_in_json(std::string_view text, const std::vector<std::string>& wanted, const std::optional<Spec>& spec) {
     JsonRows rows;
     constexpr std::size_t deepest = 32; // paths are as long as nests are deep
+    constexpr std::size_t longest_key = 100;
+    constexpr std::size_t most_keys = 1000;
     std::vector<Nest> nests(1);
     for (std::size_t i = 0; i < text.size() && nests.size() < deepest; ++i) {
         const char c = text[i];
@@ -87,14 +89,14 @@ JsonRows rows_in_json(std::string_view text, const std::vector<std::string>& wan
             nest.has_others = true;
             if (i < text.size() &&
                 text.substr(std::min(text.find_first_not_of(" \t\r\n", i + 1), text.size())).starts_with(':')) {
-                nest.key = text.substr(begin, i - begin);
+                nest.key = text.substr(begin, std::min(i - begin, longest_key));
             }
         } else if (is_alphanumeric(c) || c == '-') {
             const std::size_t end = std::min(text.find_first_of(",]} \t\r\n", i), text.size());
             const bool is_number = stream::is_number(text.substr(i, end - i));
             nest.numbers += is_number ? 1 : 0;
             nest.has_others = nest.has_others || !is_number;
-            if (is_number) {
+            if (is_number && nest.with_number.size() < most_keys) {
                 nest.with_number.push_back(nest.key);
             }
             i = end - 1;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <utility>
 
 #include "values.hpp"
 #include "words.hpp"
@@ -15,7 +17,7 @@ constexpr std::string_view all_digits = "0123456789";
 bool is_digit(char c) { return all_digits.find(c) != std::string_view::npos; }
 bool is_letter(char c) { return c == '_' || (is_alphanumeric(c) && !is_digit(c)); }
 
-/// What the filter makes of a line: the answer is tried on it. A word may have all_digits, a number an exponent.
+/// What the filter makes of a line: the answer is tried on it. A word may have digits, a number an exponent.
 std::string numbers_alone(std::string_view line) {
     std::string made(line);
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -58,7 +60,7 @@ std::vector<LinePart> parts_of_line(const std::string& line) {
     return parts;
 }
 
-/// The lines with a word, as grep -w has them; with all_digits, if there is none.
+/// Whether a line has a word, as grep -w asks; digits, if there is none.
 bool is_with(std::string_view line, std::string_view word) {
     const auto is_part = [&line](std::size_t at) {
         return at < line.size() && (is_letter(line[at]) || is_digit(line[at]));
@@ -124,33 +126,41 @@ private:
     }
 
     [[nodiscard]] std::optional<LabelledLines> of_words(std::string_view line, const std::string& columns) const {
+        constexpr std::size_t most_words = 20;
         std::string text(line);
         std::ranges::replace_if(
             text, [](char c) { return !is_letter(c) && !is_digit(c); }, ' ');
         auto words = filtered(words_in(text), [](const std::string& word) { return is_letter(word[0]); });
+        words.resize(std::min(words.size(), most_words));
         words.emplace_back();
-        std::optional<LabelledLines> best;
-        std::size_t most = 0;
+        std::map<std::string_view, std::optional<std::string>> known;
+        const auto is_alike = [&](std::string_view each) {
+            const auto [place, is_new] = known.try_emplace(each);
+            place->second = is_new ? columns_in(each) : place->second;
+            return place->second == columns;
+        };
+        std::string best;
+        std::vector<std::string_view> most;
         for (const std::string& word : words) {
-            const auto lines = filtered(*lines_, [&word](std::string_view each) { return is_with(each, word); });
-            const auto rows = mapped(lines, numbers_alone);
-            const auto is_wide = [&line](const std::string& row) {
-                return words_in(row).size() == words_in(numbers_alone(line)).size();
-            };
-            std::size_t tried = 0;
-            const bool are_alike = std::ranges::all_of(
-                lines, [&](std::string_view each) { return ++tried > most_tried || columns_in(each) == columns; });
-            if (are_alike && lines.size() > most) {
-                most = lines.size();
-                best = {word.empty() ? "grep '[0-9]'" : "grep -w " + word,
-                        fmt::format(" | {}", numbers_filter),
-                        joined(rows, "\n") + "\n",
-                        std::string(line),
-                        !std::ranges::all_of(rows, is_wide),
-                        columns};
+            auto lines = filtered(*lines_, [&word](std::string_view each) { return is_with(each, word); });
+            if (lines.size() > most.size() && std::ranges::all_of(lines, is_alike)) {
+                most = std::move(lines);
+                best = word;
             }
         }
-        return best;
+        if (most.empty()) {
+            return std::nullopt;
+        }
+        const auto rows = mapped(most, numbers_alone);
+        const std::size_t width = words_in(rows[0]).size();
+        const bool is_even =
+            std::ranges::all_of(rows, [width](const std::string& row) { return words_in(row).size() == width; });
+        return LabelledLines{best.empty() ? "grep '[0-9]'" : "grep -w " + best,
+                             fmt::format(" | {}", numbers_filter),
+                             joined(rows, "\n") + "\n",
+                             std::string(line),
+                             !is_even,
+                             columns};
     }
 
     const std::vector<std::string_view>* lines_;

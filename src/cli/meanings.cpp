@@ -109,7 +109,7 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"to into", "-t ARG", "", true},
     {"convert conversion conv", "-", "the conversion has no name", true},
     {"integrate", "propagate", "", true},
-    {"derivative differentiate velocity rate eulerrates pqr bodyrates", "rates --differences", "", true},
+    {"derivative differentiate velocity rate", "rates --differences", "", true},
     // what stands beside numbers
     {"− – — －", "", "write the minus sign as -, the one of the keyboard"},
     {"pi π mpi np math", "", "write pi as 3.141592653589793, or angles in degrees, with :deg after the name of the SPEC"},

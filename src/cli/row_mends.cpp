@@ -144,7 +144,8 @@ private:
         if (is_alone && spec_->name == RepresentationId::dcm) {
             offer({setting("--columns", "1-3,5-7,9-11")}, pipe, text);
         }
-        for (std::size_t i = 0; is_alone && spec_->name == RepresentationId::quat && i + count_ <= fields; ++i) {
+        const std::size_t end = std::min<std::size_t>(fields, 20); // of fields that may be one
+        for (std::size_t i = 0; is_alone && spec_->name == RepresentationId::quat && i + count_ <= end; ++i) {
             const auto columns = setting("--columns", fmt::format("{}-{}", i + 1, i + count_));
             const std::size_t before = mends_.size();
             offer({columns}, pipe, text);
@@ -191,7 +192,8 @@ private:
         }
         for (const Filter& filter : filters) {
             const std::string command(filter.command);
-            if (filter.to == '.' && text.find('.') != std::string::npos) {
+            if (text.find(filter.from) == std::string::npos ||
+                (filter.to == '.' && text.find('.') != std::string::npos)) {
                 continue;
             }
             offer_made(pipe.empty() ? command : pipe, filter.of(text), pipe.empty() ? "" : " | " + command);
@@ -223,7 +225,8 @@ private:
         const auto lines = filtered(rows_, [](const Row& row) { return !stream::is_blank(row.line.text); });
         const std::size_t width = lines.empty() ? 0 : lines[0].fields.size();
         const auto is_like_first = [&](const Row& row) { return row.has_numbers && row.fields.size() == width; };
-        const bool is_whole = width == 4 && lines.size() > 3 && lines[3].fields[0] == "0" && lines[3].fields[1] == "0";
+        const bool is_whole = width == 4 && lines.size() > 3 && lines[3].fields.size() == 4 &&
+                              lines[3].fields[0] == "0" && lines[3].fields[1] == "0";
         const std::size_t height = is_whole ? 4 : 3;
         if (!spec_ || spec_->name != RepresentationId::dcm || (width != 3 && width != 4) ||
             lines.size() % height != 0 || !std::ranges::all_of(lines, is_like_first)) {
@@ -247,7 +250,8 @@ private:
         for (const Row& row : rows_) {
             const std::string_view name = row.has_numbers ? row.fields[0] : "";
             const bool is_word = !name.empty() && lower(name.substr(0, 1)) >= "a" && lower(name.substr(0, 1)) <= "z";
-            if (is_word && !stream::is_number(name) && std::ranges::count(kinds, name) == 0) {
+            const bool is_plain_word = is_word && name.find_first_of("*.[]^$\\") == std::string_view::npos;
+            if (is_plain_word && !stream::is_number(name) && std::ranges::count(kinds, name) == 0) {
                 kinds.emplace_back(name);
             }
         }
@@ -268,11 +272,15 @@ private:
     void offer_labelled_lines() {
         const Option* const from = command_->line->find("--from");
         const auto lines = mapped(rows_, [](const Row& row) { return row.line.text; });
-        const auto found = spec_ && spec_->size() == count_ && from != nullptr
-                               ? labelled_lines(lines, input_.numbers, from->text())
-                               : std::nullopt;
-        const bool is_named = found && lower(found->line).find(representation(spec_->name).text) != std::string::npos;
-        if (found && (is_named || !is_guess_)) {
+        const auto is_named = [this](std::string_view line) {
+            return lower(line).find(representation(spec_->name).text) != std::string::npos;
+        };
+        if (!spec_ || spec_->size() != count_ || from == nullptr ||
+            (is_guess_ && std::ranges::none_of(lines, is_named))) {
+            return;
+        }
+        const auto found = labelled_lines(lines, input_.numbers, from->text());
+        if (found && (!is_guess_ || is_named(found->line))) {
             std::vector<std::optional<Edit>> edits{setting("--columns", found->columns)};
             if (found->is_ragged) {
                 edits.push_back(Edit{{Edit::at_end}, 0, {"--ragged"}});

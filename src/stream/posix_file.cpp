@@ -105,8 +105,11 @@ const std::string& File::lines_of_pipe() {
                 break;
             }
             const ssize_t count = ::read(STDIN_FILENO, text.data() + size, text.size() - size);
-            is_whole = count <= 0;
-            size += count > 0 ? static_cast<std::size_t>(count) : 0;
+            if (count < 0) {
+                break;
+            }
+            is_whole = count == 0;
+            size += static_cast<std::size_t>(count);
         }
         text.resize(size);
         text.resize(is_whole ? size : text.rfind('\n') + 1);
