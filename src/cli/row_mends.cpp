@@ -283,7 +283,7 @@ private:
         if (found && (!is_guess_ || is_named(found->line))) {
             std::vector<std::optional<Edit>> edits{setting("--columns", found->columns)};
             if (found->is_ragged) {
-                edits.push_back(Edit{{Edit::at_end}, 0, {"--ragged"}});
+                edits.emplace_back(Edit{{Edit::at_end}, 0, {"--ragged"}});
             }
             offer(edits, found->command, found->text, found->others);
         }

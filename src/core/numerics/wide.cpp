@@ -381,7 +381,7 @@ void Wide::sine_cosine(const Wide& angle, bool in_degrees, Wide& sine, Wide& cos
     // the latest first: the angles of fixed rotations come again with each row; no thread's own, for MinGW destroys
     // such objects after their memory
     static std::mutex mutex;
-    static auto& all = *new std::list<Known>;
+    static auto& all = *new std::list<Known>; // NOLINT(*-avoid-non-const-global-variables)
     const Number& n = *angle.number_;
     {
         const std::lock_guard lock(mutex);
