@@ -81,8 +81,10 @@ bool shift(Int& m, Exponent by) noexcept {
 
 /// pi 2^bits, less than 2 too small (Machin 1706).
 Int pi_to(Exponent bits) noexcept {
-    thread_local Int digits;
-    thread_local Exponent held = -1;
+    static std::mutex mutex;        // no thread's own, for MinGW destroys such objects after their memory
+    static auto& digits = *new Int; // NOLINT(*-avoid-non-const-global-variables)
+    static Exponent held = -1;
+    const std::lock_guard lock(mutex);
     if (held < bits) {
         held = bits + 64;
         const auto inverse_tangent = [](unsigned n) {
@@ -378,8 +380,7 @@ void Wide::sine_cosine(const Wide& angle, bool in_degrees, Wide& sine, Wide& cos
         Wide sine, cosine;
     };
     constexpr std::size_t most = 64;
-    // the latest first: the angles of fixed rotations come again with each row; no thread's own, for MinGW destroys
-    // such objects after their memory
+    // the latest first: the angles of fixed rotations come again with each row; no thread's own: see pi_to()
     static std::mutex mutex;
     static auto& all = *new std::list<Known>; // NOLINT(*-avoid-non-const-global-variables)
     const Number& n = *angle.number_;
