@@ -250,6 +250,8 @@ public:
         argument_ = is_joined_ ? word_.substr(equals + 1) : at + 1 < options.words.size() ? options.words[at + 1] : "";
     }
 
+    /// What is given to it; the next word, if it takes none.
+    [[nodiscard]] const std::string& argument() const { return argument_; }
     /// @param text one alternative, as Meaning::instead says it
     [[nodiscard]] std::vector<Mend> by(const std::string& text) const {
         const auto has = [&text](std::string_view part) { return text.find(part) != std::string::npos; };
@@ -395,11 +397,7 @@ Usage no_such_option(const OptionSet& options) {
     if (options.words[options.unknown_place.word].starts_with(name)) { // no letter among others
         const Replaced replaced(options, options.unknown_place.word);
         const auto names = mapped(options.all(), &Option::name);
-        const std::size_t next = options.unknown_place.word + 1;
-        const std::size_t equals = options.unknown.find('='); // --out quat, --out=quat
-        const bool has_spec = equals != std::string::npos
-                                  ? is_spec(std::string_view(options.unknown).substr(equals + 1))
-                                  : next < options.words.size() && is_spec(options.words[next]);
+        const bool has_spec = is_spec(replaced.argument());             // --out quat
         const auto begun = filtered(names, [&](std::string_view each) { // --inv, not --time of --time-unit
             return !has_spec && each.size() > name.size() && each.starts_with(name) && each[name.size()] != '-';
         });
