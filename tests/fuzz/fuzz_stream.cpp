@@ -621,9 +621,9 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
         ((precision > 0 || fixed) && is_euler)) {
         return std::nullopt; // other formats, rows that go nowhere, rows that wait, and -pi that rounds
     }
-    // Nor are names that are kept, and rows of a product that lack a partner.
+    // Nor are names that are kept, rows of a product that lack a partner, and a key beside columns that are not given.
     if ((command == "rotate" && argument_of(words, "--header", "auto") != "no") || (composes && program.is_paired()) ||
-        (composes && operation.is_continuous())) {
+        (composes && operation.is_continuous()) || (program.is_by_key() && argument_of(words, "--columns").empty())) {
         return std::nullopt;
     }
     // Nor are references between two rows, and keys with units: pieces and threads must give the same, and a test of
