@@ -67,8 +67,9 @@ CarefulTask task_of(const ConversionBatch& batch) noexcept {
 }
 
 /// Leaves open what is in doubt, and not settled.
-void settle_all(const CarefulTask& task, const double* in, std::size_t rows, const std::uint64_t* doubts,
-                AttitudeBatch<double>& rounded, double* out, double* rest, bool* open) noexcept {
+void settle_all(const CarefulTask& task, const double* in, std::size_t rows, const DiagnosticSet* diagnostics,
+                const std::uint64_t* doubts, AttitudeBatch<double>& rounded, double* out, double* rest,
+                bool* open) noexcept {
     std::uint64_t all = 0;
     for (std::size_t i = 0; i < rows; ++i) {
         all |= doubts[i];
@@ -80,7 +81,7 @@ void settle_all(const CarefulTask& task, const double* in, std::size_t rows, con
         if (doubts[i] == 0 || rounded.error[i] != Error::none) {
             continue;
         }
-        open[i] = !settle(task, {in + i * from_size, nullptr}, doubts[i], out + i * to_size,
+        open[i] = !settle(task, {in + i * from_size, nullptr}, diagnostics[i], doubts[i], out + i * to_size,
                           rest == nullptr ? nullptr : rest + i * to_size);
         for (std::size_t k = 0; k < 4 && task.to->name == RepresentationId::quat; ++k) {
             rounded[k].set(i, (doubts[i] >> k & 1U) != 0 ? 0.0 : rounded[k][i]);
@@ -98,7 +99,7 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
     convert_plainly(batch, in, rows, attitudes, out, rest, diagnostics, doubts);
     round(attitudes, rows, rounded);
     if constexpr (!std::is_same_v<T, double>) {
-        settle_all(task, in, rows, doubts, rounded, out, rest, open);
+        settle_all(task, in, rows, diagnostics, doubts, rounded, out, rest, open);
     }
     for_each_careful_row(
         *batch.from, in, attitudes, rows,
@@ -152,6 +153,7 @@ bool convert_first(const ConversionBatch& batch, const double* in, std::size_t r
     const Spec& to = *batch.to;
     const CarefulTask task = task_of(batch);
     std::uint64_t doubts[batch_rows] = {};
+    const DiagnosticSet unlocked[batch_rows] = {}; // others are left open
     const auto set_open = [open](std::size_t i) { open[i] = true; };
     const auto read_first = kernel_of(from.name).read_first;
     if (to.name == RepresentationId::quat && read_first != nullptr && !batch.fixed->has_left &&
@@ -166,7 +168,7 @@ bool convert_first(const ConversionBatch& batch, const double* in, std::size_t r
                 out[4 * i + k] = sign * q[k];
             }
         }
-        settle_all(task, in, rows, doubts, rounded, out, nullptr, open);
+        settle_all(task, in, rows, unlocked, doubts, rounded, out, nullptr, open);
         for_each_careful_row(from, in, rounded, rows, set_open);
         return true;
     }
@@ -178,7 +180,7 @@ bool convert_first(const ConversionBatch& batch, const double* in, std::size_t r
     read_plainly(from, task.inverts_first, *batch.fixed, in, rows, attitudes);
     write_first(to, batch.lock_margin, attitudes, rows, out, doubts);
     round(attitudes, rows, rounded);
-    settle_all(task, in, rows, doubts, rounded, out, nullptr, open);
+    settle_all(task, in, rows, unlocked, doubts, rounded, out, nullptr, open);
     for_each_careful_row(from, in, attitudes, rows, set_open);
     return true;
 }
@@ -293,7 +295,7 @@ void multiply(const ProductBatch& batch, const double* first, const double* seco
         const CarefulRow row{first + i * batch.first->size(), second + i * batch.second->size()};
         double* const own_rest = rest == nullptr ? nullptr : rest + i * to.size();
         if (doubts[i] != 0 && product.error[i] == Error::none &&
-            !settle(task, row, doubts[i], out + i * to.size(), own_rest)) {
+            !settle(task, row, diagnostics[i], doubts[i], out + i * to.size(), own_rest)) {
             diagnostics[i] = answer_carefully(task, row, out + i * to.size(), own_rest, i, *rounded[2]);
         }
     }
@@ -327,7 +329,7 @@ void rotate(const Spec& spec, ZeroTable* zeros, const double* numbers, const dou
             doubts[i] = other_doubt;
         }
         if (doubts[i] != 0 && attitudes.error[i] == Error::none && all_finite(row.second, 3) &&
-            !settle(task, row, doubts[i], out + 3 * i, nullptr)) {
+            !settle(task, row, {}, doubts[i], out + 3 * i, nullptr)) {
             answer_carefully(task, row, out + 3 * i, nullptr, i, rounded);
         }
     }

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "careful_rows.hpp"
+#include "representations/euler_formulas.hpp"
 
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
@@ -10,9 +11,10 @@ inline namespace ROTCONV_TARGET {
 // Numbers that are exactly 0. No number of bits proves that sin a cos a - cos a sin a is 0, but the formulas are
 // analytic functions of the numbers of a row: what is 0 in a row whose numbers have nothing to do with each other is 0
 // in all rows with the same pattern, of numbers that are 0, and angles that are multiples of 90 or 15 degrees, which
-// stay as they are (a test of identities, as Schwartz and Zippel have it for polynomials).
+// stay as they are (a test of identities, as Schwartz and Zippel have it for polynomials). Of matrices the signs of
+// the large entries belong to it: with others, what is 0 may be another number (r11 = 1 and -1 in a turn about x).
 
-enum : unsigned { code_of_zero = 0, code_of_any = 1, code_of_multiple = 2 }; // and up to 47 more
+enum : unsigned { code_of_zero = 0, code_of_any = 1, code_of_multiple = 2, code_of_large = 2 }; // and up to 47 more
 
 inline bool is_angle_in_degrees(const Spec* spec, const double* numbers, std::size_t k) noexcept {
     if (spec == nullptr || spec->unit != AngleUnit::degrees) {
@@ -25,62 +27,110 @@ inline bool is_angle_in_degrees(const Spec* spec, const double* numbers, std::si
            (spec->name == RepresentationId::axis_angle && k == 3);
 }
 
-/// The code of a number, of which multiples of `step` degrees, 90 or 15, are known.
-inline unsigned zero_code(const Spec* spec, const double* numbers, std::size_t k, double step) noexcept {
-    const double number = numbers[k];
-    if (number == 0.0) {
-        return code_of_zero;
+/// The numbers of an attitude or of a vector as a pattern has them. Of angles multiples of `step` degrees, 90 or 15,
+/// are known.
+class PartOfPattern {
+public:
+    PartOfPattern(const Spec* spec, const double* numbers, double step) noexcept
+        : spec_(spec), numbers_(numbers), step_(step),
+          has_angles_(spec != nullptr && spec->unit == AngleUnit::degrees) {
+        if (spec == nullptr) {
+            return;
+        }
+        is_matrix_ = spec->name == RepresentationId::dcm || spec->name == RepresentationId::two_column ||
+                     spec->name == RepresentationId::five_d;
+        size_ = spec->size();
+        column_ = spec->name == RepresentationId::two_column ? 3 : size_; // each is of a size of its own
+        for (std::size_t k = 0; k < size_ && is_matrix_; ++k) {
+            small_[k / column_] = larger_of(small_[k / column_], 0x1p-8 * __builtin_fabs(numbers[k]));
+        }
     }
-    const double multiple = number / step;
-    if (!is_angle_in_degrees(spec, numbers, k) || !(__builtin_fabs(multiple) < 0x1p28)) {
-        return code_of_any;
-    }
-    const auto whole = static_cast<int>(multiple);
-    if (step * whole != number) {
-        return code_of_any;
-    }
-    const int fifteens = whole * (step == 90.0 ? 6 : 1) % 48;
-    return code_of_multiple + static_cast<unsigned>(fifteens < 0 ? fifteens + 48 : fifteens);
-}
 
-/// The pattern of a row: the codes of its numbers, in 36 bits at most. `all_known`: there is no other number in it.
+    [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] unsigned code(std::size_t k) const noexcept {
+        const double number = numbers_[k];
+        if (number == 0.0) {
+            return code_of_zero;
+        }
+        if (is_matrix_) {
+            return __builtin_fabs(number) <= small_[k / column_] ? code_of_any
+                                                                 : code_of_large + (number < 0.0 ? 1U : 0U);
+        }
+        const double multiple = number / step_;
+        if (!is_angle_in_degrees(spec_, numbers_, k) || !(__builtin_fabs(multiple) < 0x1p28)) {
+            return code_of_any;
+        }
+        const auto whole = static_cast<int>(multiple);
+        if (step_ * whole != number) {
+            return code_of_any;
+        }
+        const int fifteens = whole * (step_ == 90.0 ? 6 : 1) % 48;
+        return code_of_multiple + static_cast<unsigned>(fifteens < 0 ? fifteens + 48 : fifteens);
+    }
+    [[nodiscard]] bool is_known(unsigned code) const noexcept { return code != code_of_any && !is_matrix_; }
+    [[nodiscard]] unsigned bits(std::size_t k) const noexcept {
+        return has_angles_ && (size_ == 3 || k == 3) ? 6U : is_matrix_ ? 2U : 1U;
+    }
+    /// Another number of the same code; of a matrix it is to stay near a rotation.
+    [[nodiscard]] double stand_in(std::size_t k, double fraction) const noexcept {
+        const double other = (0.25 + 0.5 * fraction) * (has_angles_ ? 57.0 : 1.0);
+        const unsigned own = code(k);
+        return own == code_of_any ? (is_matrix_ ? small_[k / column_] : 1.0) * other
+               : is_matrix_       ? numbers_[k] * (1.0 + 0x1p-12 * fraction)
+                                  : numbers_[k];
+    }
+
+private:
+    const Spec* spec_; ///< null of a vector
+    const double* numbers_;
+    double step_;
+    bool has_angles_;
+    bool is_matrix_ = false;
+    std::size_t size_ = 3;
+    std::size_t column_ = 3;
+    double small_[2] = {}; ///< entries of its columns up to here are small
+};
+
+/// The pattern of a row: the codes of its numbers, in 38 bits at most. `all_known`: there is no other number in it.
 inline std::uint64_t zero_pattern(const CarefulTask& task, const CarefulRow& row, double step,
                                   bool& all_known) noexcept {
-    std::uint64_t pattern = 0;
     all_known = !task.fixed->has_left && !task.fixed->has_right;
-    const auto add = [&](const Spec* spec, const double* numbers, std::size_t size) {
-        const bool has_angles = spec != nullptr && spec->unit == AngleUnit::degrees;
-        for (std::size_t k = 0; k < size; ++k) {
-            const unsigned code = zero_code(spec, numbers, k, step);
-            all_known = all_known && code != code_of_any;
-            pattern = pattern << (has_angles && (size == 3 || k == 3) ? 6U : 1U) | code;
+    std::uint64_t pattern = task.lock_margin == LockLimit::at_lower   ? 1
+                            : task.lock_margin == LockLimit::at_upper ? 2
+                                                                      : 0;
+    const auto add = [&](const PartOfPattern& part) {
+        for (std::size_t k = 0; k < part.size(); ++k) {
+            const unsigned code = part.code(k);
+            all_known = all_known && part.is_known(code);
+            pattern = pattern << part.bits(k) | code;
         }
     };
-    add(task.first, row.first, task.first->size());
+    add({task.first, row.first, step});
     if (row.second != nullptr) {
-        add(task.second, row.second, task.second == nullptr ? 3 : task.second->size());
+        add({task.second, row.second, step});
     }
     return pattern;
 }
 
+/// At gimbal lock angles are other functions of a row: the task whose rows are all locked, at the end where the row is.
+inline CarefulTask at_lock(const CarefulTask& task, DiagnosticSet diagnostics, double middle) noexcept {
+    CarefulTask locked = task;
+    if (diagnostics.has(DiagnosticKind::gimbal_lock)) {
+        const AngleRanges ranges(FixedAxes(task.to->sequence), *task.to);
+        locked.lock_margin = middle == ranges.upper.hi ? LockLimit::at_upper : LockLimit::at_lower;
+    }
+    return locked;
+}
+
 /// Other numbers of the same pattern.
-inline void take_stand_ins(const Spec* spec, const double* numbers, std::size_t size, std::size_t first, double step,
-                           double* others) noexcept {
+inline void take_stand_ins(const PartOfPattern& part, std::size_t first, double* others) noexcept {
     constexpr double fractions[] = {0.6180339887498949, 0.7320508075688773, 0.2360679774997897, 0.4142135623730951,
                                     0.3166247903553998, 0.1231056256176605, 0.7958315233127196, 0.9160797830996161,
                                     0.5677643628300219, 0.8284271247461903, 0.4641016151377546, 0.6055512754639892,
                                     0.3588989435406736, 0.0717967697244908, 0.6904157598234297, 0.9487539562906138,
                                     0.1414284285428503, 0.5249378105604451};
-    const bool is_matrix = spec != nullptr && spec->name == RepresentationId::dcm;
-    const bool in_degrees = spec != nullptr && spec->unit == AngleUnit::degrees;
-    for (std::size_t k = 0; k < size; ++k) {
-        const double fraction = fractions[(first + k) % 18];
-        double other = (0.25 + 0.5 * fraction) * (in_degrees ? 57.0 : 1.0);
-        if (is_matrix) { // it is to stay near a rotation
-            const bool is_large = __builtin_fabs(numbers[k]) > 0x1p-8 && __builtin_fabs(numbers[k]) < 2.0;
-            other = is_large ? numbers[k] * (1.0 + 0x1p-12 * fraction) : 0x1p-8 * other;
-        }
-        others[k] = zero_code(spec, numbers, k, step) == code_of_any ? other : numbers[k];
+    for (std::size_t k = 0; k < part.size(); ++k) {
+        others[k] = part.stand_in(k, fractions[(first + k) % 18]);
     }
 }
 
@@ -142,9 +192,9 @@ auto with_stand_ins(const CarefulTask& task, const CarefulRow& row, double step,
     const Wide::Bits enough(640);
     double first[most_numbers];
     double second[most_numbers];
-    take_stand_ins(task.first, row.first, task.first->size(), 0, step, first);
+    take_stand_ins({task.first, row.first, step}, 0, first);
     if (row.second != nullptr) {
-        take_stand_ins(task.second, row.second, task.second == nullptr ? 3 : task.second->size(), 9, step, second);
+        take_stand_ins({task.second, row.second, step}, 9, second);
     }
     return use(CarefulRow{first, row.second == nullptr ? nullptr : second});
 }
@@ -183,7 +233,9 @@ inline bool are_zeros(const CarefulTask& task, const CarefulRow& row, std::uint6
     if (all_known && are_small) {
         return true;
     }
-    const std::uint64_t wide = zero_pattern(task, row, 90.0, all_known);
+    const bool has_angles =
+        task.first->unit == AngleUnit::degrees || (task.second != nullptr && task.second->unit == AngleUnit::degrees);
+    const std::uint64_t wide = has_angles ? zero_pattern(task, row, 90.0, all_known) : narrow;
     return (bits & ~static_cast<std::uint64_t>(known_zeros(task, row, wide, 90.0))) == 0 ||
            (narrow != wide && (bits & ~static_cast<std::uint64_t>(known_zeros(task, row, narrow, 15.0))) == 0);
 }
@@ -298,22 +350,25 @@ ROTCONV_NOINLINE inline DiagnosticSet answer_carefully(const CarefulTask& task, 
                                                        double* rest, std::size_t place,
                                                        AttitudeBatch<double>& attitudes) noexcept {
     DiagnosticSet diagnostics;
-    const auto is_zero = [&](unsigned bit) { return are_zeros(task, row, std::uint64_t{1} << bit, false); };
+    const auto is_zero = [&](const CarefulTask& which, unsigned bit) {
+        return are_zeros(which, row, std::uint64_t{1} << bit, false);
+    };
     with_enough_bits([&] {
         Careful q[4];
         Careful results[most_numbers];
         read_carefully(task, row, q);
         for (unsigned k = 0; k < 4; ++k) {
-            if (q[k].may_be_zero() && is_zero(16 + k)) {
+            if (q[k].may_be_zero() && is_zero(task, 16 + k)) {
                 q[k] = 0.0;
             }
         }
         set_rounded(q, place, attitudes);
         diagnostics = write_carefully(task, row, q, results);
+        const CarefulTask own = at_lock(task, diagnostics, results[1].rounded());
         bool decided = true;
         const std::size_t size = task.to == nullptr ? 3 : task.to->size();
         for (unsigned k = 0; k < size; ++k) {
-            if (results[k].may_be_zero() && is_zero(k)) {
+            if (results[k].may_be_zero() && is_zero(own, k)) {
                 results[k] = 0.0;
             }
             decided = results[k].round(numbers[k]) && decided;
@@ -329,8 +384,9 @@ ROTCONV_NOINLINE inline DiagnosticSet answer_carefully(const CarefulTask& task, 
 
 /// Whether a row of the batch kernels is decided: of its numbers only those are in doubt, see doubt_of(), that are
 /// exactly 0, or a sum, which they become.
-inline bool settle(const CarefulTask& task, const CarefulRow& row, std::uint64_t doubts, double* numbers,
-                   double* rest) noexcept {
+inline bool settle(const CarefulTask& general, const CarefulRow& row, DiagnosticSet diagnostics, std::uint64_t doubts,
+                   double* numbers, double* rest) noexcept {
+    const CarefulTask task = at_lock(general, diagnostics, numbers[1]);
     constexpr std::uint64_t about_zeros = other_doubt - 1;
     if ((doubts & other_doubt) != 0 || !are_zeros(task, row, doubts & about_zeros, true)) {
         return false;

@@ -73,6 +73,17 @@ template <class T> struct Davenport {
         }
     }
 
+    /// Whether nothing couples q's component i to the others.
+    [[nodiscard]] ROTCONV_INLINE bool stands_alone(unsigned i) const noexcept {
+        const auto are_zero = [](const T& a, const T& b, const T& c) {
+            return sign_of(a) == 0.0 && sign_of(b) == 0.0 && sign_of(c) == 0.0;
+        };
+        return i == 0   ? are_zero(wx, wy, wz)
+               : i == 1 ? are_zero(wx, xy, xz)
+               : i == 2 ? are_zero(wy, xy, yz)
+                        : are_zero(wz, xz, yz);
+    }
+
     T ww, xx, yy, zz, wx, wy, wz, xy, xz, yz;
 };
 

@@ -83,14 +83,12 @@ newton_step(const Base (&m)[9], const Small (&q)[4], const Base (&near)[4], Smal
     const Small dy = scaled((inverse.xy * a + inverse.yy * b) + inverse.yz * c, 0.5);
     const Small dz = scaled((inverse.xz * a + inverse.yz * b) + inverse.zz * c, 0.5);
     // q (0, d/2). A component that K does not couple to the others stays 0, as at a symmetric matrix's half-turn.
-    const auto stays = [&](const Base& component, const T& first, const T& second, const T& third) {
-        return sign_of(component) == 0.0 && sign_of(first) == 0.0 && sign_of(second) == 0.0 && sign_of(third) == 0.0;
-    };
+    const auto stays = [&](unsigned i) { return sign_of(near[i]) == 0.0 && k.stands_alone(i); };
     const Small none = 0.0;
-    correction[0] = stays(near[0], k.wx, k.wy, k.wz) ? none : none - (x * dx + y * dy + z * dz);
-    correction[1] = stays(near[1], k.wx, k.xy, k.xz) ? none : w * dx + (y * dz - z * dy);
-    correction[2] = stays(near[2], k.wy, k.xy, k.yz) ? none : w * dy + (z * dx - x * dz);
-    correction[3] = stays(near[3], k.wz, k.xz, k.yz) ? none : w * dz + (x * dy - y * dx);
+    correction[0] = stays(0) ? none : none - (x * dx + y * dy + z * dz);
+    correction[1] = stays(1) ? none : w * dx + (y * dz - z * dy);
+    correction[2] = stays(2) ? none : w * dy + (z * dx - x * dz);
+    correction[3] = stays(3) ? none : w * dz + (x * dy - y * dx);
 }
 
 /// Any proper matrix of ordinary size, to 106 bits: from a quaternion near its own on, until nothing is left to
@@ -147,9 +145,10 @@ void refine(const double* numbers, const double (&start)[4], Careful (&q)[4]) no
             is_small = is_small && correction[k].is_below(24 - bits);
         }
     }
-    for (Careful& component : q) {
-        if (component.sign() != 0) { // it is 0 where K does not couple it to the others
-            component.widen(Careful(1.0).shifted(is_small ? 26 - bits : 0));
+    const Davenport<Careful> k(m);
+    for (unsigned i = 0; i < 4; ++i) {
+        if (start[i] != 0.0 || !k.stands_alone(i)) {
+            q[i].widen(Careful(1.0).shifted(is_small ? 26 - bits : 0));
         }
     }
 }

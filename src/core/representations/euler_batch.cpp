@@ -220,7 +220,7 @@ struct Angles {
                 const T q[4] = {attitudes[0][i], attitudes.columns[1 + axes.i][i], attitudes.columns[1 + axes.j][i],
                                 attitudes.columns[1 + axes.k][i]};
                 TurnVectors<T> given_up(axes, q);
-                given_up.give_up_one(axes, q);
+                given_up.give_up_one(axes, q, lock.upper);
                 vectors.set(i, given_up);
             }
         }
@@ -324,7 +324,7 @@ struct Angles {
         TurnVectors<T> vectors(axes, own);
         const Lock<T> lock(vectors.cosine_length, vectors.sine_length, LockLimit(lock_margin));
         if (lock.locked) {
-            vectors.give_up_one(axes, own);
+            vectors.give_up_one(axes, own, lock.upper);
         } else if (ranges.is_other) {
             vectors.take_other();
         }

@@ -112,9 +112,9 @@ template <class T> struct TurnVectors {
 
     /// At lock only s (where S = 0) or t (where C = 0) is defined: of the angles that are listed first and last the
     /// last is 0 and the first twice that.
-    void give_up_one(const FixedAxes& axes, const T (&q)[4]) noexcept {
+    void give_up_one(const FixedAxes& axes, const T (&q)[4], bool upper) noexcept {
         const T k = scaled(q[3], axes.sign);
-        const bool sum = !is_roughly_at_most(cosine_length, sine_length);
+        const bool sum = !upper;
         const T x = sum ? (axes.proper ? q[0] : q[0] - q[2]) : (axes.proper ? q[2] : q[2] + q[0]);
         const T y = sum ? (axes.proper ? q[1] : q[1] + k) : (axes.proper ? k : k - q[1]);
         const double last_sign = axes.proper ? 1.0 : axes.sign;
@@ -134,7 +134,11 @@ template <class T> struct TurnVectors {
 /// From where on an attitude counts as locked: where its margin is at most the lock margin, that is where tan(margin/2)
 /// = min(C, S)/max(C, S) is at most tan(lock margin/2).
 struct LockLimit {
-    explicit LockLimit(double lock_margin) noexcept : locks_all(lock_margin >= 0.5 * exact_pi.hi) {
+    /// Margins that lock all attitudes at one end, though the other may be nearer.
+    static constexpr double at_lower = -1.0, at_upper = -2.0;
+
+    explicit LockLimit(double lock_margin) noexcept
+        : locks_all(lock_margin >= 0.5 * exact_pi.hi || lock_margin < 0.0), end(lock_margin < 0.0 ? lock_margin : 0.0) {
         if (lock_margin < 1e-9) {
             tangent = 0.5 * lock_margin;
         } else if (!locks_all) {
@@ -152,12 +156,13 @@ struct LockLimit {
     }
 
     bool locks_all;
+    double end; ///< one of those, or 0
     DoubleDouble tangent;
 };
 
 template <class T> struct Lock {
     ROTCONV_INLINE Lock(const T& cosine_length, const T& sine_length, const LockLimit& limit) noexcept
-        : upper(is_roughly_at_most(cosine_length, sine_length)) {
+        : upper(limit.end == 0.0 ? is_roughly_at_most(cosine_length, sine_length) : limit.end == LockLimit::at_upper) {
         const T smaller = select(upper, cosine_length, sine_length);
         const T larger = select(upper, sine_length, cosine_length);
         locked = limit.locks_all || is_at_most(smaller, rounded_to<T>(limit.tangent) * larger);
