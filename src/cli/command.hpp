@@ -13,7 +13,7 @@
 
 #include "../stream/options.hpp"
 #include "../stream/run.hpp"
-#include "messages.hpp"
+#include "messages/messages.hpp"
 #include "option_set.hpp"
 
 namespace rotconv::cli {

@@ -10,10 +10,10 @@
 
 #include <rotconv/version.hpp>
 
-#include "../core/kernels.hpp"
+#include "../core/conversion/kernels.hpp"
 #include "../core/projects.hpp"
-#include "../stream/file.hpp"
-#include "answers.hpp"
+#include "../stream/bytes/file.hpp"
+#include "messages/answers.hpp"
 #include "row_options.hpp"
 
 namespace rotconv::cli {

@@ -6,7 +6,7 @@
 
 #include "../core/projects.hpp"
 #include "command.hpp"
-#include "messages.hpp"
+#include "messages/messages.hpp"
 #include "program.hpp"
 
 namespace rotconv::cli {

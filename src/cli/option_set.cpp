@@ -7,9 +7,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "../stream/file.hpp"
-#include "value_text.hpp"
-#include "values.hpp"
+#include "../stream/bytes/file.hpp"
+#include "grammar/value_text.hpp"
+#include "grammar/values.hpp"
 
 namespace rotconv::cli {
 namespace {

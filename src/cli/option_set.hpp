@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "words.hpp"
+#include "grammar/words.hpp"
 
 namespace rotconv::cli {
 

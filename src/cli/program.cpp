@@ -4,8 +4,8 @@
 #include <string>
 #include <variant>
 
-#include "../stream/file.hpp"
-#include "answers.hpp"
+#include "../stream/bytes/file.hpp"
+#include "messages/answers.hpp"
 #include "program.hpp"
 
 namespace rotconv::cli {

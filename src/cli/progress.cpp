@@ -5,8 +5,8 @@
 
 #include <unistd.h>
 
-#include "../stream/file.hpp"
-#include "../stream/fmt.hpp"
+#include "../stream/bytes/file.hpp"
+#include "../stream/numbers/fmt.hpp"
 
 namespace rotconv::cli {
 

@@ -10,9 +10,9 @@
 #include <variant>
 #include <vector>
 
-#include "../stream/delimiter.hpp"
-#include "column_names.hpp"
-#include "values.hpp"
+#include "../stream/beginning/delimiter.hpp"
+#include "grammar/column_names.hpp"
+#include "grammar/values.hpp"
 
 namespace rotconv::cli {
 namespace {

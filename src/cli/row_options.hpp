@@ -8,8 +8,8 @@
 #include <rotconv/conversion.hpp>
 
 #include "../operations/operations.hpp"
-#include "arguments.hpp"
 #include "command.hpp"
+#include "grammar/arguments.hpp"
 
 /// The options of commands that go through rows.
 namespace rotconv::cli {

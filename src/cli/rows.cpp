@@ -12,7 +12,7 @@
 
 #include <unistd.h>
 
-#include "answers.hpp"
+#include "messages/answers.hpp"
 #include "progress.hpp"
 
 namespace rotconv::cli {

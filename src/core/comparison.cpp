@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "input_batch.hpp"
-#include "kernels.hpp"
+#include "conversion/input_batch.hpp"
+#include "conversion/kernels.hpp"
 
 namespace rotconv {
 

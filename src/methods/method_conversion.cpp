@@ -10,8 +10,8 @@
 
 #include <rotconv/angle.hpp>
 
-#include "../core/input_batch.hpp"
-#include "../core/kernels.hpp"
+#include "../core/conversion/input_batch.hpp"
+#include "../core/conversion/kernels.hpp"
 #include "formulas.hpp"
 
 namespace rotconv {

@@ -9,7 +9,7 @@
 #include <rotconv/rotation.hpp>
 
 #include "../core/representations/rotation_angle.hpp"
-#include "../stream/row_operation.hpp"
+#include "../stream/rows/row_operation.hpp"
 #include "operations.hpp"
 
 namespace rotconv::operations {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "../stream/key.hpp"
-#include "../stream/row_operation.hpp"
+#include "../stream/pairs/key.hpp"
+#include "../stream/rows/row_operation.hpp"
 
 namespace rotconv::operations {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "../stream/fmt.hpp"
+#include "../stream/numbers/fmt.hpp"
 #include "between.hpp"
 #include "operations.hpp"
 

@@ -1,7 +1,7 @@
 #include <span>
 #include <utility>
 
-#include "../stream/fmt.hpp"
+#include "../stream/numbers/fmt.hpp"
 #include "between.hpp"
 #include "operations.hpp"
 

@@ -19,10 +19,10 @@
 #include <rotconv/rates.hpp>
 #include <rotconv/sampling.hpp>
 
-#include "../core/identification.hpp"
+#include "../core/identification/identification.hpp"
 #include "../core/kinematics/survey.hpp"
 #include "../methods/method_conversion.hpp"
-#include "../stream/row_operation.hpp"
+#include "../stream/rows/row_operation.hpp"
 #include "angle_statistics.hpp"
 
 /// The operations on rows of numbers, each in a source of its name.

@@ -12,11 +12,11 @@
 
 #include <rotconv/reading.hpp>
 
-#include "column_list.hpp"
-#include "delimiter.hpp"
-#include "key.hpp"
-#include "number_text.hpp"
-#include "row_operation.hpp"
+#include "beginning/column_list.hpp"
+#include "beginning/delimiter.hpp"
+#include "numbers/number_text.hpp"
+#include "pairs/key.hpp"
+#include "rows/row_operation.hpp"
 
 namespace rotconv::stream {
 

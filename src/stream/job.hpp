@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "bytes/io_block.hpp"
 #include "event.hpp"
-#include "io_block.hpp"
-#include "layout.hpp"
-#include "row_reader.hpp"
+#include "rows/layout.hpp"
+#include "rows/row_reader.hpp"
 
 namespace rotconv::stream {
 

@@ -11,13 +11,13 @@
 #include <variant>
 #include <vector>
 
-#include "column_list.hpp"
-#include "delimiter.hpp"
+#include "beginning/column_list.hpp"
+#include "beginning/delimiter.hpp"
+#include "bytes/io_block.hpp"
 #include "event.hpp"
-#include "io_block.hpp"
-#include "key.hpp"
-#include "number_text.hpp"
-#include "row_operation.hpp"
+#include "numbers/number_text.hpp"
+#include "pairs/key.hpp"
+#include "rows/row_operation.hpp"
 
 namespace rotconv::stream {
 

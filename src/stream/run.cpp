@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "io_block.hpp"
+#include "bytes/io_block.hpp"
 #include "job.hpp"
-#include "pair_reader.hpp"
-#include "row_blocks.hpp"
-#include "row_transformer.hpp"
+#include "pairs/pair_reader.hpp"
+#include "rows/row_blocks.hpp"
+#include "rows/row_transformer.hpp"
 
 namespace rotconv::stream {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "bytes/file.hpp"
 #include "event.hpp"
-#include "file.hpp"
 #include "options.hpp"
 
 namespace rotconv::stream {

@@ -18,8 +18,8 @@
 #include <dragonbox/dragonbox_to_chars.h>
 #include <fast_float/fast_float.h>
 
-#include "stream/number_text.hpp"
-#include "stream/scan_number.hpp"
+#include "stream/numbers/number_text.hpp"
+#include "stream/numbers/scan_number.hpp"
 
 namespace {
 

@@ -11,8 +11,8 @@
 
 #include <rotconv/spec.hpp>
 
-#include "cli/column_names.hpp"
-#include "stream/likely_key.hpp"
+#include "cli/grammar/column_names.hpp"
+#include "stream/pairs/likely_key.hpp"
 
 namespace {
 

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "processes.hpp"
-#include "stream/number_text.hpp"
-#include "stream/scan_number.hpp"
+#include "stream/numbers/number_text.hpp"
+#include "stream/numbers/scan_number.hpp"
 
 #ifdef HAS_DOUBLE_CONVERSION
 #include <double-conversion/double-conversion.h>

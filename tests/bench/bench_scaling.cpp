@@ -9,7 +9,7 @@
 
 #include "figures.hpp"
 #include "processes.hpp"
-#include "stream/file.hpp"
+#include "stream/bytes/file.hpp"
 
 namespace {
 

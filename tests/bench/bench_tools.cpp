@@ -26,7 +26,7 @@
 #include "figures.hpp"
 #include "oracle.hpp"
 #include "processes.hpp"
-#include "stream/file.hpp"
+#include "stream/bytes/file.hpp"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "../../src/core/identification.hpp"
+#include "../../src/core/identification/identification.hpp"
 #include "accuracy.hpp"
 #include "catch.hpp"
 #include "oracle.hpp"

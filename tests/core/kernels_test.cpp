@@ -12,7 +12,7 @@
 
 #include <rotconv/conversion.hpp>
 
-#include "../../src/core/kernels.hpp"
+#include "../../src/core/conversion/kernels.hpp"
 #include "../../src/core/representations/codec.hpp"
 #include "accuracy.hpp"
 #include "catch.hpp"

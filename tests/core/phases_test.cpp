@@ -13,7 +13,7 @@
 
 #include <rotconv/conversion.hpp>
 
-#include "../../src/core/kernels.hpp"
+#include "../../src/core/conversion/kernels.hpp"
 #include "../../src/core/representations/euler_formulas.hpp"
 #include "accuracy.hpp"
 #include "catch.hpp"

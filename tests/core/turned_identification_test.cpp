@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "../../src/core/identification.hpp"
+#include "../../src/core/identification/identification.hpp"
 #include "accuracy.hpp"
 #include "catch.hpp"
 #include "oracle.hpp"

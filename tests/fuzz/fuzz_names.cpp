@@ -13,7 +13,7 @@
 
 #include <rotconv/spec.hpp>
 
-#include "cli/column_names.hpp"
+#include "cli/grammar/column_names.hpp"
 #include "reach.hpp"
 
 namespace {

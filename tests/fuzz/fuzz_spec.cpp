@@ -8,9 +8,9 @@
 #include <rotconv/spec.hpp>
 
 #include "reach.hpp"
-#include "stream/column_list.hpp"
-#include "stream/delimiter.hpp"
-#include "stream/number_text.hpp"
+#include "stream/beginning/column_list.hpp"
+#include "stream/beginning/delimiter.hpp"
+#include "stream/numbers/number_text.hpp"
 
 namespace {
 

@@ -16,8 +16,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/grammar/values.hpp"
 #include "cli/option_set.hpp"
-#include "cli/values.hpp"
 #include "operations/operations.hpp"
 #include "reach.hpp"
 

@@ -19,7 +19,7 @@ violations() {
             if (path ~ /^src\/core\/kinematics\//) return 2
             if (path ~ /^include\/rotconv\/(rotconv|rates|integration|propagation)\.hpp$/) return 2
             if (path ~ /^src\/core\/numerics\/|^include\/rotconv\/(angle|version)\.hpp$/) return 0
-            if (path ~ /^(src\/core|src\/core\/representations|include\/rotconv)\/[^\/]*$/) return 1
+            if (path ~ /^(src\/core(\/(representations|conversion|identification))?|include\/rotconv)\/[^\/]*$/) return 1
             return -1
         }
         # The libraries that not every layer may know.

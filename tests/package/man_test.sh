@@ -45,7 +45,7 @@ known=$({
     for command in $commands; do "$program" "$command" --help; done
 } | grep -oE -- '--[a-z0-9-]+')
 named=$({
-    grep -ohE '"([^"\]|\\.)*"' "$2"/../src/cli/*.cpp
+    grep -ohE '"([^"\]|\\.)*"' "$2"/../src/cli/*.cpp "$2"/../src/cli/*/*.cpp
     mandoc -T ascii -O width=1000 "$page" "$conventions" | sed 's/.\x08//g'
 } | grep -oE -- '(^|[^a-z-])--[a-z][a-z-]+' | sed 's/^[^-]//' | sort -u)
 for option in $named; do

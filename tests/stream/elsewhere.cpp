@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <stream/file.hpp>
+#include <stream/bytes/file.hpp>
 
 #undef __linux__
 #undef F_SETPIPE_SZ
@@ -20,4 +20,4 @@
 #undef CPU_COUNT
 #pragma GCC poison cpu_set_t sched_getaffinity pipe2 splice vmsplice tee
 
-#include <stream/file.cpp> // NOLINT(bugprone-suspicious-include)
+#include <stream/bytes/file.cpp> // NOLINT(bugprone-suspicious-include)

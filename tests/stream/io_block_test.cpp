@@ -7,7 +7,7 @@
 
 #include "catch.hpp"
 #include "pieces.hpp"
-#include "stream/io_block.hpp"
+#include "stream/bytes/io_block.hpp"
 
 using namespace rotconv::stream;
 

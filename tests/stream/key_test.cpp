@@ -9,8 +9,8 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "catch.hpp"
-#include "stream/key.hpp"
-#include "stream/number_text.hpp"
+#include "stream/numbers/number_text.hpp"
+#include "stream/pairs/key.hpp"
 
 using namespace rotconv::stream;
 using Rational = boost::multiprecision::cpp_rational;

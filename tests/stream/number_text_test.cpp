@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "stream/number_text.hpp"
+#include "stream/numbers/number_text.hpp"
 
 using namespace rotconv::stream;
 

@@ -12,7 +12,7 @@
 #include "catch.hpp"
 #include "operations/operations.hpp"
 #include "pieces.hpp"
-#include "stream/pair_reader.hpp"
+#include "stream/pairs/pair_reader.hpp"
 
 using namespace rotconv;
 using namespace rotconv::stream;

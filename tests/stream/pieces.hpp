@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "stream/file.hpp"
+#include "stream/bytes/file.hpp"
 
 /// Hands out a text in pieces of given sizes, again and again.
 class Pieces final : public rotconv::stream::Source {

@@ -10,7 +10,7 @@
 
 #include "catch.hpp"
 #include "operations/operations.hpp"
-#include "stream/row_transformer.hpp"
+#include "stream/rows/row_transformer.hpp"
 
 using namespace rotconv;
 using namespace rotconv::stream;

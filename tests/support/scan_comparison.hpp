@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <system_error>
 
-#include "stream/scan_number.hpp"
+#include "stream/numbers/scan_number.hpp"
 
 /// What scan_number() makes of a text, and whether fast_float::from_chars() makes the same of it.
 struct ScanComparison {

@@ -10,7 +10,7 @@
 #include <rotconv/reading.hpp>
 #include <rotconv/spec.hpp>
 
-#include "../kernels.hpp"
+#include "../conversion/kernels.hpp"
 
 namespace rotconv {
 

@@ -1,0 +1,492 @@
+#include "column_names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <set>
+#include <unordered_map>
+#include <variant>
+
+#include <rotconv/euler.hpp>
+
+#include "../../core/projects.hpp"
+#include "../../operations/operations.hpp"
+#include "../../stream/beginning/column_list.hpp"
+#include "../../stream/pairs/key.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+/// Bytes of the longest text that is a unit, without blanks and _: microseconds.
+constexpr std::size_t longest_unit = 12;
+
+bool is_in_unit(char c) noexcept { return c != ' ' && c != '\t' && c != '_'; }
+
+} // namespace
+
+std::string_view unit_of(std::string_view text) {
+    if ((text.starts_with('[') && text.ends_with(']')) || (text.starts_with('(') && text.ends_with(')'))) {
+        text = text.substr(1, text.size() - 2);
+    }
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> units{
+        {{"deg", " deg degree degrees dps \u00B0 "},
+         {"rad", " rad radian radians rps "},
+         {"s", " s sec secs second seconds "},
+         {"ms", " ms msec millisecond milliseconds "},
+         {"us", " us usec \u00B5s \u03BCs microsecond microseconds "},
+         {"ns", " ns nsec nsecs nanosecond nanoseconds "}}};
+    std::string unit = lower(text);
+    std::erase_if(unit, [](char c) { return !is_in_unit(c); });
+    if (unit.size() > longest_unit) {
+        return {};
+    }
+    for (const std::string_view per_second : {"", "/sec", "/s", "s^-1", "s-1", "pers", "s"}) {
+        const std::string word = ' ' + unit.substr(0, unit.size() - std::min(unit.size(), per_second.size())) + ' ';
+        for (const auto& [name, words] : units) {
+            const bool fits = per_second.empty() || name == "deg" || name == "rad";
+            if (fits && unit.ends_with(per_second) && word.size() > 2 && words.find(word) != std::string_view::npos) {
+                return name;
+            }
+        }
+    }
+    return {};
+}
+
+namespace {
+
+/// Whether a name has a unit of angles by time.
+bool is_unit_of_rate(std::string_view name) {
+    const std::string text = lower(name);
+    constexpr std::array<std::string_view, 10> rates{"/s",    "s^-1",  "s-1",     "dps",     "rps",
+                                                     "deg_s", "rad_s", "deg_per", "rad_per", "per s"};
+    return std::ranges::any_of(rates, [&text](auto rate) { return text.find(rate) != std::string::npos; });
+}
+
+/// What names may share that are those of numbers.
+enum class Shared : std::uint8_t {
+    anything,
+    nothing,       ///< they stand side by side
+    of_velocities, ///< a prefix that says so, or nothing where all other names are times
+};
+
+/// What the names of a part's numbers may be, without what they share, in the order of the part.
+struct Spelling {
+    std::vector<std::string> words;
+    bool decides = true; ///< which of the words is which number
+    Shared shared = Shared::anything;
+};
+
+/// Those that do not decide are the last.
+std::vector<Spelling> spellings_of(const Part& part) {
+    using enum RepresentationId;
+    std::vector<Spelling> spellings{{mapped(part.names, lower)}};
+    if (part.names.front() == "wx") {
+        spellings.push_back({{"p", "q", "r"}});
+        spellings.push_back({{"x", "y", "z"}, true, Shared::of_velocities});
+    }
+    if (!part.attitude) {
+        return spellings;
+    }
+    const Spec& spec = *part.attitude;
+    std::array<std::size_t, 9> places{};
+    std::ranges::copy(spec.order(), places.begin());
+    const bool has_axes = spec.name == euler || spec.name == rpy;
+    for (std::size_t i = 0; has_axes && i < 3; ++i) {
+        places.at(i) = static_cast<std::size_t>(spec.sequence.axis(i));
+    }
+    const auto add = [&](std::string_view text, bool decides = true, Shared shared = Shared::anything) {
+        const auto words = words_in(text);
+        auto& added = spellings.emplace_back(Spelling{words, decides, shared}).words;
+        for (std::size_t i = 0; decides && i < words.size(); ++i) {
+            added[i] = words[places.at(i)];
+        }
+    };
+    if (spec.name == quat) {
+        add("w x y z");
+        add("s x y z");
+        add("scalar x y z");
+        add("0 1 2 3", false);
+        add("1 2 3 4", false);
+    } else if (spec.name == dcm) {
+        add("11 12 13 21 22 23 31 32 33");
+        add("00 01 02 10 11 12 20 21 22");
+    } else if (has_axes && (spec.project == nullptr || spec.project->body.empty() || spec.project->body[0] == 'f')) {
+        const bool decides = !spec.sequence.proper() && places[1] == 1; // roll is about x, and pitch about y
+        for (const std::string_view roll : {"roll", "bank"}) {
+            for (const std::string_view yaw : {"yaw", "heading", "azimuth"}) {
+                add(fmt::format("{} pitch {}", roll, yaw), decides);
+            }
+        }
+        add("r p y", decides, Shared::nothing);
+    }
+    return spellings;
+}
+
+/// The words of a name, in lower case, each with _ before and after it. They are parted at what is no letter and at a
+/// change of case.
+std::string own_words(std::string_view name) {
+    std::string own = "_";
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const std::string c = lower(name.substr(i, 1));
+        const bool is_letter = c[0] >= 'a' && c[0] <= 'z';
+        const bool is_capital = is_letter && c[0] != name[i];
+        if (own.back() != '_' && (!is_letter || (is_capital && lower(name.substr(i - 1, 1))[0] == name[i - 1]))) {
+            own += '_';
+        }
+        own += is_letter ? c : "";
+    }
+    return own + (own.back() == '_' ? "" : "_");
+}
+
+/// Whether one of the words, which have blanks between them, is the first or the last of a name's own; a _ joins two.
+bool has_at_end(std::string_view name, std::string_view words) {
+    const std::string own = own_words(name);
+    return std::ranges::any_of(words_in(words), [&own](const std::string& word) {
+        const std::string whole = '_' + word + '_';
+        return own.starts_with(whole) || own.ends_with(whole);
+    });
+}
+
+/// Whether a name has a word that begins with one of these, or is one of those.
+bool has_word(std::string_view name, std::string_view beginnings, std::string_view wholes = "") {
+    const std::string own = own_words(name);
+    const auto has = [&own](std::string_view words, std::string_view end) {
+        return std::ranges::any_of(words_in(words), [&](const std::string& word) {
+            return own.find(fmt::format("_{}{}", word, end)) != std::string::npos;
+        });
+    };
+    return has(beginnings, "") || has(wholes, "_");
+}
+
+/// The sum of a text's bytes, each times a power of a base by its place, modulo 2^61 - 1. Where a part of a text is
+/// replaced the new sum follows from the old one, without a look at the rest: names of any length take linear time.
+struct TextSum {
+    static constexpr std::uint64_t modulus = (std::uint64_t{1} << 61U) - 1;
+    static constexpr std::uint64_t base = 1'229'363'429'801'019'168;
+    static constexpr std::uint64_t inverse = 1'000'003; ///< base * inverse is 1
+
+    std::uint64_t value = 0;
+    std::uint64_t weight = 1; ///< of the byte behind the text
+
+    explicit TextSum(std::string_view text = {}) { add(text); }
+    void add(std::string_view text) {
+        for (const char c : text) {
+            value = reduced(stream::Uint128{weight} * (static_cast<unsigned char>(c) + 1U) + value);
+            weight = reduced(stream::Uint128{weight} * base);
+        }
+    }
+    static std::uint64_t reduced(stream::Uint128 number) noexcept {
+        const auto sum = static_cast<std::uint64_t>((number & modulus) + (number >> 61U));
+        return sum % modulus;
+    }
+};
+
+/// A word that may stand in the place of another.
+struct Replacement {
+    Replacement(std::string_view word, std::size_t size) : text(word), sum(TextSum(word).value) {
+        for (std::size_t i = std::min(size, word.size()); i < std::max(size, word.size()); ++i) {
+            shift = TextSum::reduced(stream::Uint128{shift} * (size < word.size() ? TextSum::base : TextSum::inverse));
+        }
+    }
+    /// The sum of the text with the word between what stands before it and after it.
+    [[nodiscard]] std::uint64_t sum_between(const TextSum& before, std::uint64_t after) const noexcept {
+        return TextSum::reduced(stream::Uint128{before.weight} * sum + stream::Uint128{after} * shift + before.value);
+    }
+    [[nodiscard]] bool is_between(std::string_view before, std::string_view after, std::string_view name) const {
+        return name.size() == before.size() + text.size() + after.size() && name.starts_with(before) &&
+               name.substr(before.size()).starts_with(text) && name.ends_with(after);
+    }
+
+    std::string_view text;
+    std::uint64_t sum;
+    std::uint64_t shift = 1; ///< what the weights of the bytes behind it are multiplied by
+};
+
+/// Calls what to do with the place of the first word in its name, and with the places of all, for each set of names
+/// that are the words between one prefix and one suffix. A name that stands twice is in none.
+template <class Take>
+void for_each_set(const std::vector<std::string>& spelling, const std::vector<std::string>& names, const Take& take) {
+    constexpr auto twice = std::string::npos;
+    const std::string& first = spelling.front();
+    const auto words = mapped(spelling, [&first](const std::string& word) { return Replacement(word, first.size()); });
+    const auto sums = mapped(names, [](const std::string& name) { return TextSum(name).value; });
+    std::unordered_map<std::uint64_t, std::size_t> place_of;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (const auto [at, is_new] = place_of.emplace(sums[i], i); !is_new) {
+            at->second = twice;
+        }
+    }
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string_view name = names[i];
+        TextSum before;
+        std::size_t begin = 0;
+        for (auto at = name.find(first); at != std::string_view::npos; at = name.find(first, at + 1)) {
+            before.add(name.substr(begin, at - begin));
+            begin = at;
+            const std::uint64_t with_first = words.front().sum_between(before, 0);
+            const std::uint64_t after = TextSum::reduced(stream::Uint128{sums[i]} + TextSum::modulus - with_first);
+            places.clear();
+            for (const Replacement& word : words) {
+                const auto found = place_of.find(word.sum_between(before, after));
+                if (found == place_of.end() || found->second == twice) {
+                    break;
+                }
+                places.push_back(found->second);
+            }
+            const auto is_there = [&](const Replacement& word, std::size_t place) { // and no other text of that sum
+                return word.is_between(name.substr(0, at), name.substr(at + first.size()), names[place]);
+            };
+            if (std::ranges::equal(words, places, is_there)) {
+                take(at, places);
+            }
+        }
+    }
+}
+
+/// Whether the words, which stand at `places` of the names without units, share what they may.
+bool is_shared(const Spelling& spelling, std::string_view prefix, const std::vector<std::size_t>& places,
+               const std::vector<std::string>& names) {
+    const auto& words = spelling.words;
+    if (spelling.shared == Shared::anything) {
+        return true;
+    }
+    const bool is_bare = names[places[0]] == words[0];
+    if (spelling.shared == Shared::nothing) {
+        return is_bare && std::ranges::max(places) - std::ranges::min(places) + 1 == places.size();
+    }
+    const auto is_own_or_time = [&words](const std::string& name) {
+        return std::ranges::count(words, name) > 0 || has_at_end(name, "t time timestamp stamp");
+    };
+    return is_bare ? std::ranges::all_of(names, is_own_or_time)
+                   : has_at_end(prefix, "w omega gyro gyr gyroscope angular_velocity");
+}
+
+} // namespace
+
+std::pair<std::string, std::string_view> name_and_unit(const std::string& text) {
+    const auto bracket = text.ends_with(']')   ? text.rfind('[')
+                         : text.ends_with(')') ? text.rfind('(')
+                                               : std::string::npos;
+    if (bracket != std::string::npos) {
+        return {lower(stream::trimmed(text.substr(0, bracket))),
+                unit_of(std::string_view(text).substr(bracket + 1, text.size() - bracket - 2))};
+    }
+    std::size_t end = text.size(); // of the name: the first _ behind which there is a unit and nothing else
+    std::string_view unit;
+    std::string_view unit_of_tail;
+    bool is_new = true; // the tail has bytes that unit_of_tail has not seen
+    for (std::size_t at = text.size(), count = 0; at-- > 1 && count <= longest_unit;) {
+        if (is_in_unit(text[at])) {
+            ++count;
+            is_new = true;
+        } else if (text[at] == '_') {
+            unit_of_tail = std::exchange(is_new, false) ? unit_of(std::string_view(text).substr(at)) : unit_of_tail;
+            if (!unit_of_tail.empty()) {
+                end = at;
+                unit = unit_of_tail;
+            }
+        }
+    }
+    return {lower(text.substr(0, end)), unit};
+}
+
+bool is_unit(std::string_view text) {
+    constexpr std::string_view others = " m mm cm m/s m/s^2 m/s2 g 1 ";
+    const std::string own = lower(text.substr(std::min(text.find_first_not_of("[("), text.size())));
+    return !unit_of(text).empty() || (!own.empty() && others.find(" " + own.substr(0, own.find_last_not_of("])") + 1) +
+                                                                  " ") != std::string_view::npos);
+}
+
+std::vector<Part> parts_of(const stream::RowNumbers& numbers) {
+    std::vector<Part> parts;
+    auto name = numbers.names.begin();
+    const auto add = [&](std::size_t size, const std::optional<Spec>& attitude = {}, bool is_kept = false) {
+        const auto begin = std::exchange(name, name + static_cast<std::ptrdiff_t>(size));
+        if (size > 0) {
+            parts.push_back(
+                {{begin, name}, static_cast<std::size_t>(begin - numbers.names.begin()), attitude, is_kept});
+        }
+    };
+    const std::size_t size = numbers.attitude ? numbers.attitude->size() : 0;
+    const std::size_t second = numbers.second ? numbers.second->size() : 0;
+    add(numbers.kept, {}, true);
+    add(size, numbers.attitude);
+    add(numbers.names.size() - numbers.kept - size - second);
+    add(second, numbers.second);
+    return parts;
+}
+
+namespace {
+
+/// All sets of names, each once; those that do not decide only where no other is.
+std::vector<KnownNames> all_sets(const Part& part, std::span<const std::string> names) {
+    std::vector<std::vector<std::string>> texts{mapped(names, lower)};
+    texts.push_back(mapped(names, [](const std::string& name) { return name_and_unit(name).first; }));
+    texts.resize(texts[0] == texts[1] ? 1 : 2); // without units, if there are any
+    std::vector<KnownNames> found;
+    std::set<std::vector<std::size_t>> known;
+    const auto spellings = spellings_of(part);
+    for (const Spelling& spelling : spellings) {
+        if (!found.empty() && !spelling.decides) {
+            break;
+        }
+        for (const auto& each : texts) {
+            for_each_set(spelling.words, each, [&](std::size_t size, const std::vector<std::size_t>& places) {
+                const auto prefix = std::string_view(names[places[0]]).substr(0, size);
+                const bool is_bare = each[places[0]] == spelling.words[0];
+                if (is_shared(spelling, prefix, places, each) && known.insert(places).second) {
+                    found.push_back({places, spelling.decides,
+                                     !is_bare                        ? 2
+                                     : &spelling == spellings.data() ? 0
+                                                                     : 1,
+                                     std::string(prefix), names[places[0]].substr(size + spelling.words[0].size()),
+                                     !spelling.decides && spelling.words[0].size() == 1});
+                }
+            });
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+std::optional<KnownNames> find_names(const Part& part, std::span<const std::string> names) {
+    auto sets = all_sets(part, names);
+    const auto best = std::ranges::min_element(
+        sets, {}, [](const KnownNames& set) { return std::pair(!set.decides, std::ranges::min(set.places)); });
+    if (best == sets.end()) {
+        return std::nullopt;
+    }
+    if (!best->decides) {
+        std::ranges::sort(best->places); // as the columns stand
+    }
+    return *best;
+}
+
+namespace {
+
+/// Whether the set may be taken although nobody selects it. @param is_pair two attitudes of one SPEC are looked for
+bool may_be_taken(const KnownNames& set, const Part& part, std::span<const std::string> names, bool is_pair) {
+    if (!set.decides) {
+        const bool is_quaternion =
+            set.is_numbered && part.attitude && has_at_end(set.prefix, "q quat quaternion attitude");
+        const bool is_from_one = set.of(names)[0].find('1') != std::string::npos;
+        return is_quaternion && (!is_from_one || part.attitude->has_given_order || part.attitude->project != nullptr);
+    }
+    const bool has_angles = part.attitude && representation(part.attitude->name).has_angles();
+    auto texts = set.of(names);
+    texts.push_back(set.suffix);
+    return std::ranges::none_of(texts, [&](const std::string& name) {
+        const bool is_of_rate = has_angles && is_unit_of_rate(name);
+        const bool is_other =
+            set.rank > 0 && (has_word(name, "speed spd dps acc std sigma cov var err delta reset offset bias", "dot") ||
+                             (part.attitude && has_word(name, "rate vel")) ||
+                             (!is_pair && has_word(name, "cmd setpoint target ref", "sp des desired")));
+        return is_of_rate || is_other;
+    });
+}
+
+/// The columns of times, or of the key.
+std::vector<KnownNames> kept_columns(const std::vector<std::string>& names, const std::string& key) {
+    std::vector<KnownNames> found;
+    if (!key.empty()) {
+        const auto list = stream::ColumnList::parse(key, 1);
+        const auto places = std::get<stream::ColumnList>(list).positions(names);
+        const auto* const place = std::get_if<std::vector<std::size_t>>(&places);
+        return place == nullptr ? found : std::vector{KnownNames{*place}};
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        constexpr std::array<std::string_view, 4> times{"t", "time", "timestamp", "stamp"};
+        if (std::ranges::count(times, name_and_unit(names[i]).first) != 0) {
+            found.push_back({{i}});
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+ColumnSets sets_of_row(const std::vector<Part>& parts, const std::vector<std::string>& names, const std::string& key) {
+    ColumnSets sets{.are_known = true, .rows = {{}}};
+    std::vector<KnownNames> of_pair; // of two attitudes with the same SPEC
+    for (const Part& part : parts) {
+        const auto is_twin = [&part](const Part& other) {
+            return &other != &part && other.attitude && part.attitude &&
+                   other.attitude->text() == part.attitude->text();
+        };
+        const bool is_pair = std::ranges::any_of(parts, is_twin);
+        auto found = part.is_kept ? kept_columns(names, key) : all_sets(part, names);
+        sets.are_known = sets.are_known && (part.is_kept || !found.empty());
+        std::erase_if(found,
+                      [&](const KnownNames& set) { return !part.is_kept && !may_be_taken(set, part, names, is_pair); });
+        const int least = found.empty() ? 0 : std::ranges::min_element(found, {}, &KnownNames::rank)->rank;
+        if (is_pair) {
+            std::ranges::sort(found, {}, [](const KnownNames& set) { return std::ranges::min(set.places); });
+            const bool is_second = std::find_if(parts.begin(), parts.end(), is_twin)->begin < part.begin;
+            found = found.size() == 2 ? std::vector{found[is_second ? 1 : 0]} : std::vector<KnownNames>();
+        } else {
+            std::erase_if(found, [least](const KnownNames& set) { return set.rank > least; });
+        }
+        std::vector<std::vector<std::size_t>> longer;
+        for (const auto& row : sets.rows) {
+            for (const KnownNames& set : found) {
+                if (std::ranges::find_first_of(row, set.places) == row.end()) {
+                    longer.push_back(row);
+                    longer.back().insert(longer.back().end(), set.places.begin(), set.places.end());
+                }
+            }
+        }
+        sets.rows = std::move(longer);
+    }
+    return sets;
+}
+
+std::optional<KnownNames> find_names(const Spec& spec, std::span<const std::string> names) {
+    const auto columns = spec.columns();
+    return find_names({{columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(spec.size())}, 0, spec}, names);
+}
+
+RowNames names_of_row(const std::vector<Part>& parts, std::vector<std::string> names) {
+    RowNames row;
+    std::vector<bool> is_free(names.size(), true);
+    for (const Part& part : parts) {
+        if (part.is_kept && part.names.front() == "key") { // its column is told
+            names[part.begin].clear();
+        }
+        auto& set = row.sets.emplace_back(part.is_kept ? std::nullopt : find_names(part, names));
+        if (!set && !part.is_kept) { // names that other parts have too
+            set = find_names(part, part.of(names));
+            for (std::size_t i = 0; set && i < set->places.size(); ++i) {
+                set->places[i] += part.begin;
+            }
+        }
+        for (const std::size_t place : set ? set->places : std::vector<std::size_t>()) {
+            names[place].clear();
+            is_free[place] = false;
+        }
+    }
+    std::size_t next = 0; // of the columns in no set
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        auto places = row.sets[k] ? row.sets[k]->places : std::vector<std::size_t>();
+        for (; places.size() < parts[k].names.size(); ++next) {
+            if (is_free[next]) {
+                places.push_back(next);
+            }
+        }
+        row.places.insert(row.places.end(), places.begin(), places.end());
+    }
+    return row;
+}
+
+stream::ChosenColumns columns_of_project(const Spec& spec, std::size_t fields) {
+    const std::string list = spec.project == nullptr ? "" : columns_in_rows(*spec.project, spec.size(), fields);
+    if (list.empty()) {
+        return {};
+    }
+    return {.are_known = true,
+            .positions = std::get<stream::ColumnList>(stream::ColumnList::parse(list, spec.size())).positions(),
+            .text = fmt::format("{} fields are read as those of {}: --columns {}", fields, spec.project->text, list)};
+}
+
+} // namespace rotconv::cli

@@ -1,0 +1,340 @@
+#include "answers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "../../core/projects.hpp"
+#include "../../stream/beginning/header_line.hpp"
+#include "../../stream/bytes/file.hpp"
+#include "../../stream/bytes/io_block.hpp"
+#include "../../stream/numbers/number_text.hpp"
+#include "../../stream/run.hpp"
+#include "../grammar/column_names.hpp"
+#include "../grammar/value_text.hpp"
+#include "../row_options.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+/// A command line, and what it reads.
+struct Attempt {
+    std::vector<std::string> words;
+    std::string pipe{};                ///< see Mend
+    std::optional<std::string> text{}; ///< the beginning of its input; nothing: not at hand, or in the FILE
+    bool may_read_pipe = false;        ///< nothing else will
+    bool says_radians = false;         ///< as it was given
+    bool has_guess = false;            ///< its SPEC is a guess
+
+    [[nodiscard]] Attempt after(const Mend& mend, bool is_ordered = true) const {
+        Attempt next = *this;
+        auto edits = mend.edits;
+        if (is_ordered) {
+            edits.insert(edits.end(), mend.order.begin(), mend.order.end());
+        }
+        const auto end = std::ranges::find(words, "--") - words.begin();
+        for (Edit& edit : edits) {
+            edit.at.word = edit.at.word == Edit::at_end ? static_cast<std::size_t>(end) : edit.at.word;
+        }
+        std::ranges::stable_sort(edits, std::ranges::greater(), [](const Edit& edit) { return edit.at.word; });
+        for (Edit& edit : edits) {
+            const auto at = next.words.begin() + static_cast<std::ptrdiff_t>(edit.at.word);
+            if (edit.at.begin > 0 && !edit.by.empty()) {
+                edit.by.front().insert(0, at->substr(0, edit.at.begin));
+            }
+            next.words.insert(next.words.erase(at, at + static_cast<std::ptrdiff_t>(edit.count)), edit.by.begin(),
+                              edit.by.end());
+        }
+        if (!mend.pipe.empty()) {
+            next.pipe += (pipe.empty() ? "" : " | ") + mend.pipe;
+            next.text = mend.text;
+        }
+        return next;
+    }
+    [[nodiscard]] std::string command() const {
+        const auto texts = mapped(words, [](const std::string& word) {
+            return word.starts_with(raw_word) ? word.substr(raw_word.size()) : in_shell(word);
+        });
+        return fmt::format("{}{}rotconv {}", pipe, pipe.empty() ? "" : " | ", fmt::join(texts, " "));
+    }
+};
+
+/// Whether the rows have names that are not those of the attitude: that they are as many as its numbers proves nothing.
+bool has_other_names(const stream::InputOptions& input, std::string_view text) {
+    bool has_names = false;
+    bool has_row = false;
+    for (int left = 100; left > 0 && !text.empty() && input.columns.empty() && input.columns_of; --left) {
+        const stream::Line line = stream::next_line(text);
+        if (!input.is_row(line.text)) {
+            continue;
+        }
+        const stream::HeaderLine header(line, input.delimiter.value_or(stream::Delimiter::of_row(line.text)));
+        if (std::ranges::any_of(header.fields, stream::is_number)) {
+            has_row = true;
+        } else if (input.columns_of(header.names()).are_known) {
+            return false;
+        } else {
+            has_names = has_names || !has_row;
+        }
+    }
+    return has_names;
+}
+
+/// What came of an attempt.
+struct Outcome {
+    bool serves = false;
+    bool has_other_names = false;           ///< in its header
+    bool is_tried = false;                  ///< on the first rows
+    bool is_of_project = false;             ///< which has several SPECs
+    bool is_of_values = false;              ///< which mean another SPEC
+    bool guesses_spec = false;              ///< see Usage
+    std::vector<Edit> better{};             ///< the units that the rows have
+    std::vector<std::vector<Mend>> mends{}; ///< otherwise: the first group of which one serves counts
+};
+
+/// Runs the rows at hand, and tells nothing.
+Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std::string& text, bool whole) {
+    std::optional<stream::RowError> wrong;
+    std::vector<Edit> better;
+    const auto take = [&](const stream::Event& event) {
+        const auto* const diagnostic = std::get_if<stream::Diagnostic>(&event);
+        if (diagnostic != nullptr && diagnostic->kind == DiagnosticKind::large_angle && better.empty() &&
+            !attempt.says_radians) {
+            better.push_back({{Edit::at_end}, 0, {"-d"}});
+        }
+        const auto* const note = std::get_if<stream::Note>(&event);
+        constexpr std::string_view option = "--time-unit ";
+        const std::size_t at = note == nullptr ? std::string::npos : note->text.find(option);
+        if (at != std::string::npos && note->text.find(',', at) == std::string::npos) { // the unit that a header says
+            better.push_back({{Edit::at_end}, 0, words_in(note->text.substr(at))});
+        }
+        if (const auto* const error = std::get_if<stream::RowError>(&event); error != nullptr && !wrong) {
+            wrong = *error;
+        }
+    };
+    stream::Options options = command.options;
+    options.threads = 1;
+    options.writes_rows = false;
+    stream::TextSource of_text{text};
+    stream::Source& source = command.source ? *command.source : of_text;
+    std::optional<stream::TextSource> reference;
+    const auto bytes = first_bytes(command.reference);
+    if (!command.reference.empty()) {
+        if (!bytes) {
+            return {.serves = true};
+        }
+        reference.emplace(*bytes);
+    }
+    const auto ending = stream::run(source, nullptr, options, take, reference ? &*reference : nullptr);
+    if (ending.answered > 0 && (!whole || (!ending.error && !wrong))) {
+        const bool has_others = !command.has_values && has_other_names(options.input, text);
+        return {.serves = true, .has_other_names = has_others, .is_tried = !has_others, .better = better};
+    }
+    using What = stream::StreamError::What;
+    if (command.has_values || options.input.width > 0) {
+        return {.is_tried = true};
+    }
+    if ((ending.error && ending.error->place.is_in_reference()) || (wrong && wrong->place.is_in_reference())) {
+        return {.is_tried = true, .mends = reference_mends(command, *bytes)};
+    }
+    if (ending.error && ending.error->what == What::json) {
+        return {.is_tried = true, .mends = json_mends(command, text, attempt.has_guess)};
+    }
+    const std::size_t line = ending.error ? ending.error->place.line : wrong ? wrong->place.line : 0;
+    return {.is_tried = true,
+            .mends = line > 0 ? row_mends(command, text, line, attempt.has_guess) : std::vector<std::vector<Mend>>()};
+}
+
+/// @param whole all rows at hand must be answered, not only the first
+Outcome outcome_of(const Attempt& attempt, bool whole = false) {
+    try {
+        const Command command = read_command_line(mapped(attempt.words, [](const std::string& word) {
+            return word.starts_with(raw_word) ? std::string("/dev/null") : word;
+        }));
+        const auto* const rows = std::get_if<RowsCommand>(&command);
+        if (rows == nullptr) {
+            return {.serves = true};
+        }
+        if (!attempt.pipe.empty() && stream::File::is_regular(rows->output.c_str())) {
+            return {}; // it may be what the pipe reads
+        }
+        const bool is_read = rows->input == "-" && !rows->has_values && !rows->source;
+        const bool is_pipe = attempt.may_read_pipe && is_read && !attempt.text && attempt.pipe.empty() &&
+                             !stream::File::lines_of_pipe().empty();
+        const auto text = attempt.text || !attempt.pipe.empty() ? attempt.text
+                          : is_pipe                             ? std::optional(stream::File::lines_of_pipe())
+                                                                : first_bytes(rows->input);
+        return rows->has_values || text ? outcome_of(*rows, attempt, text.value_or(""), whole || !attempt.pipe.empty())
+                                        : Outcome{.serves = true};
+    } catch (const Usage& error) {
+        Outcome outcome{
+            .is_of_project = error.is_choice, .is_of_values = !error.specs.empty(), .guesses_spec = error.guesses_spec};
+        for (const Mend& mend : error.mends) { // each is a reading of its own
+            outcome.mends.empty() ? outcome.mends.push_back({mend}) : outcome.mends.front().push_back(mend);
+        }
+        return outcome;
+    }
+}
+
+/// The words with the name of the file that stdin is, if they name no input.
+std::vector<std::string> with_input(std::vector<std::string> words) {
+    const auto is_input = [&words](const std::string& word) {
+        const bool is_argument = &word != words.data() && (&word)[-1].starts_with('-');
+        return stream::File::is_regular(word.c_str()) || (!is_argument && stream::is_number(word));
+    };
+    const std::string name = stream::File::name_of_input();
+    const auto dash = std::ranges::find(words, "-");
+    if (name.empty() || !stream::File::is_regular(name.c_str())) {
+        return words;
+    }
+    if (dash != words.end()) {
+        *dash = name;
+    } else if (std::ranges::none_of(words, is_input)) {
+        words.insert(std::ranges::find(words, "--"), name);
+    }
+    return words;
+}
+
+/// The options that take the axes of the project after --from to those of the one after --to.
+std::vector<std::string> axes_of_projects(const std::vector<std::string>& words) {
+    std::array<const Project*, 2> projects{};
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::size_t which = words[i - 1] == "-f" || words[i - 1] == "--from" ? 0
+                                  : words[i - 1] == "-t" || words[i - 1] == "--to" ? 1
+                                                                                   : 2;
+        for (const std::string_view part : which < 2 ? split(words[i], ':') : std::vector<std::string_view>()) {
+            const Project* const project = find_project(part);
+            projects.at(which) = project != nullptr ? project : projects.at(which);
+        }
+    }
+    return words_in(projects[0] != nullptr && projects[1] != nullptr ? change_of_axes(*projects[0], *projects[1]) : "");
+}
+
+/// Follows mends, one after the other.
+class Search {
+public:
+    explicit Search(const Attempt& wrong) : axes_(axes_of_projects(wrong.words)) { follow(wrong, 0); }
+
+    [[nodiscard]] const std::vector<std::string>& found() const { return found_; } ///< commands
+
+private:
+    static constexpr std::size_t most_found = 2;
+    static constexpr std::size_t longest = 500;
+    static constexpr int deepest = 10;
+
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as mends that follow each other
+    void follow(const Attempt& attempt, int depth, bool is_choice = false) {
+        if (depth > deepest || found_.size() == most_found || --left_ < 0) {
+            return;
+        }
+        const Outcome outcome = outcome_of(attempt, depth == deepest);
+        if (outcome.serves && depth > 0 && !outcome.better.empty()) {
+            const Attempt better = attempt.after(Mend{outcome.better});
+            if (outcome_of(better, true).serves) {
+                follow(better, deepest, is_choice);
+                return;
+            }
+        }
+        is_of_project_ = is_of_project_ || outcome.is_of_project;
+        if (outcome.serves && depth > 0 && !(is_choice && outcome.has_other_names)) {
+            Attempt whole = attempt;
+            whole.words.insert(std::ranges::find(whole.words, "--"), axes_.begin(), axes_.end());
+            const bool has_axes = !axes_.empty() && outcome_of(whole).serves;
+            const std::string command = (has_axes ? whole : attempt).command();
+            if (command.size() + std::string_view("try: ").size() <= longest && shown(command) == command &&
+                std::ranges::count(found_, command) == 0) {
+                found_.push_back(command);
+            }
+        }
+        // the SPECs of a project are not those that others write in the same words
+        const bool is_done = outcome.serves || depth == deepest || (is_of_project_ && outcome.is_of_values);
+        for (auto group = outcome.mends.begin(); group != outcome.mends.end() && !is_done; ++group) {
+            const std::size_t before = found_.size();
+            for (const Mend& mend : *group) {
+                if (!mend.order.empty() && !outcome_of(attempt.after(mend, false)).serves) {
+                    continue;
+                }
+                Attempt next = attempt.after(mend);
+                next.has_guess = attempt.has_guess || outcome.guesses_spec;
+                // rows have no second mend
+                follow(next, outcome.is_tried ? deepest : depth + 1, is_choice || group->size() > 1);
+            }
+            if (found_.size() > before) {
+                break;
+            }
+        }
+    }
+
+    std::vector<std::string> found_{};
+    std::vector<std::string> axes_; ///< options for all
+    int left_ = 100;                ///< attempts
+    bool is_of_project_ = false;    ///< the command names a project that has several SPECs
+};
+
+} // namespace
+
+std::optional<std::string> first_bytes(const std::string& path) {
+    if (!stream::File::is_regular(path.c_str())) {
+        return std::nullopt;
+    }
+    stream::File file(path.c_str(), stream::File::Mode::read);
+    std::string text(file.is_open() ? std::min(file.size(), most_first_bytes) : 0, '\0');
+    const std::ptrdiff_t count = text.empty() ? 0 : file.read(text);
+    text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    if (text.size() == most_first_bytes) { // its last line is cut
+        text.resize(text.rfind('\n') + 1);
+    }
+    return text;
+}
+
+std::string answers(const std::vector<std::string>& words, std::optional<std::string_view> beginning) {
+    std::string lines;
+    if (std::ranges::any_of(words, [](const std::string& word) { return word.find(raw_word) != std::string::npos; })) {
+        return lines;
+    }
+    Attempt wrong{with_input(words)};
+    if (wrong.words == words && beginning) {
+        wrong.text = std::string(*beginning);
+    }
+    wrong.may_read_pipe = !beginning;
+    wrong.says_radians = std::ranges::any_of(words, [](const std::string& word) {
+        const auto parts = parts_of_label(word);
+        return std::ranges::any_of(parts, [](const std::string& part) { return unit_of_word(part) == "rad"; });
+    });
+    const Search search(wrong);
+    for (const std::string& command : search.found()) {
+        lines += fmt::format("try: {}\n", command);
+    }
+    return lines;
+}
+
+std::string end_of_message(const RowsCommand& command, std::string_view beginning) {
+    const bool is_text = beginning.find('\0') == std::string_view::npos;
+    return fmt::format("{}\n{}",
+                       is_text ? ""
+                               : "; the input is not text: rows of numbers are read, as NumPy's savetxt or ros2 topic "
+                                 "echo --csv write them",
+                       answers(command.line->words, beginning));
+}
+
+std::optional<std::vector<std::string>> only_answer(const std::vector<std::string>& words,
+                                                    const std::vector<Mend>& mends) {
+    std::optional<std::vector<std::string>> only;
+    for (const Mend& mend : mends) {
+        const Attempt attempt = Attempt{words}.after(mend);
+        Attempt tried = Attempt{words}.after(mend, false);
+        tried.words = with_input(tried.words);
+        const Outcome outcome = outcome_of(tried);
+        if (outcome.serves && outcome.is_tried) {
+            if (only) {
+                return std::nullopt;
+            }
+            only = attempt.words;
+        }
+    }
+    return only;
+}
+
+} // namespace rotconv::cli

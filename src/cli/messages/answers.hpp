@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "../command.hpp"
+
+/// What is answered where a command is wrong: the whole command, mended. One mend follows the other until nothing is
+/// wrong any more; two that a mistake has are two answers.
+namespace rotconv::cli {
+
+/// The most bytes of an input on which a command is tried: the first.
+inline constexpr std::size_t most_first_bytes = std::size_t{64} << 10U;
+
+/// Lines `try: rotconv ...`, at most two, of commands that can be read, and that answer the first rows where these are
+/// at hand.
+/// @param beginning the first bytes of the input; nothing: those of the FILE, if it is one that can be read again
+[[nodiscard]] std::string answers(const std::vector<std::string>& words,
+                                  std::optional<std::string_view> beginning = {});
+
+/// What a word begins with that is not to be quoted, and is no file before a shell has read it.
+inline constexpr std::string_view raw_word = "\x01";
+
+/// The words as the one of the mends makes them that alone answers the first rows; nothing where several do, or none.
+[[nodiscard]] std::optional<std::vector<std::string>> only_answer(const std::vector<std::string>& words,
+                                                                  const std::vector<Mend>& mends);
+
+/// A command without a SPEC: what its numbers or its file have, and the SPECs that may be meant.
+[[nodiscard]] Usage missing_spec(const CommandOptions& options, const MissingSpec& error);
+
+/// The end of the message on a row that cannot be read, and the answers.
+[[nodiscard]] std::string end_of_message(const RowsCommand& command, std::string_view beginning);
+
+/// The first bytes of a file that can be read again; nothing for others.
+[[nodiscard]] std::optional<std::string> first_bytes(const std::string& path);
+
+/// Mends of a command that cannot read its first rows, those of a group as good as each other; see row_mends.cpp.
+/// @param line at which reading stopped
+/// @param is_guess the SPEC is one: rows must say that they are its own
+[[nodiscard]] std::vector<std::vector<Mend>> row_mends(const RowsCommand& command, std::string_view beginning,
+                                                       std::size_t line, bool is_guess);
+
+/// The same of the REFERENCE: the columns of a project's file without a header.
+[[nodiscard]] std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::string_view beginning);
+
+/// The same where they are JSON.
+[[nodiscard]] std::vector<std::vector<Mend>> json_mends(const RowsCommand& command, std::string_view beginning,
+                                                        bool is_guess);
+
+} // namespace rotconv::cli

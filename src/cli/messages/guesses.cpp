@@ -1,0 +1,579 @@
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <variant>
+
+#include "../../core/projects.hpp"
+#include "../../methods/method.hpp"
+#include "../../operations/operations.hpp"
+#include "../../stream/bytes/file.hpp"
+#include "../../stream/numbers/number_text.hpp"
+#include "../command.hpp"
+#include "../grammar/value_text.hpp"
+#include "../grammar/values.hpp"
+#include "meanings.hpp"
+#include "messages.hpp"
+
+namespace rotconv::cli::messages {
+namespace {
+
+using Words = std::vector<std::string>;
+using Legal = std::vector<std::string_view>;
+
+/// Edits (insert, delete, replace) that lead from one text to the other.
+std::size_t edit_distance(std::string_view from, std::string_view to) {
+    std::vector<std::size_t> row(to.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t j = 0; j < to.size(); ++j) {
+            const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+        }
+    }
+    return row.back();
+}
+
+/// The legal word that is written alike, or at most two letters away (one, below five letters); perhaps none.
+Words nearest(std::string_view text, const Legal& legal) {
+    Words best;
+    const std::string word = lower(without_marks(text));
+    std::size_t least = word.size() < 5 ? 2 : 3;
+    for (const std::string_view each : legal) {
+        const std::size_t distance = word == lower(without_marks(each)) ? 0 : edit_distance(lower(text), lower(each));
+        if (distance < least) {
+            least = distance;
+            best = {std::string(each)};
+        }
+    }
+    return best;
+}
+
+/// The SPECs of a sequence in other ways of writing: eulerZYX, euler-zyx, z-y'-x'', and Gohlke's rzyx (rotating axes)
+/// and sxyz (static ones). Letters in lower case have two meanings.
+Words sequences_in(std::string_view text) {
+    std::string letters = without_marks(text);
+    letters.erase(0, lower(letters).starts_with("euler") ? 5 : 0);
+    const char kind = letters.size() == 4 ? letters[0] : ' ';
+    letters.erase(0, kind == 'r' || kind == 's' ? 1 : 0);
+    std::string moving = letters;
+    std::ranges::transform(moving, moving.begin(),
+                           [](char c) { return c >= 'x' && c <= 'z' ? static_cast<char>(c - 'x' + 'X') : c; });
+    if (!EulerSequence::parse(letters) || text.starts_with('-')) {
+        return {};
+    }
+    const bool is_moving = kind == 'r' || text.find('\'') != std::string_view::npos || letters == moving;
+    Words specs{"euler:" + (is_moving ? moving : letters)};
+    if (!is_moving && kind != 's') {
+        specs.push_back("euler:" + moving);
+    }
+    return specs;
+}
+
+/// The SPECs whose columns are listed, as in "roll pitch yaw".
+Words specs_of_columns(const std::string& text) {
+    Words specs;
+    auto names = all_names();
+    names.insert(names.begin(), {"quat", "quat:xyzw"});
+    for (const std::string_view each : names) {
+        const auto parsed = parse_spec(each);
+        const Spec* const spec = std::get_if<Spec>(&parsed);
+        const auto columns = spec == nullptr ? Words() : operations::names_of(*spec);
+        if (columns.size() > 2 && lower(without_marks(joined(columns, ""))) == lower(without_marks(text)) &&
+            std::ranges::none_of(specs, [&](const std::string& known) {
+                return std::get<Spec>(parse_spec(known)).text() == spec->text();
+            })) {
+            specs.emplace_back(each);
+            if (spec->unit == AngleUnit::radians) { // no robot's
+                break;
+            }
+        }
+    }
+    return specs;
+}
+
+/// The SPECs whose parts are joined in another way, as in eulZYX, quat_xyzw and "euler 3-1-3 deg".
+Words specs_of_parts(std::string text) {
+    std::ranges::replace_if(
+        text, [](char c) { return std::string_view("-,/").find(c) != std::string_view::npos; }, ' ');
+    Words parts;
+    bool was_single = false;
+    for (const std::string& part : parts_of_label(text)) { // 3-1-3 is one
+        const bool is_single = part.size() == 1;
+        if (is_single && was_single) {
+            parts.back() += part;
+        } else {
+            parts.push_back(part);
+        }
+        was_single = is_single;
+    }
+    std::string name;
+    Words sequences;
+    std::string modifiers;
+    for (const std::string& part : parts) {
+        const Meaning* const meaning = find_meaning(part);
+        const bool is_euler = meaning != nullptr && meaning->instead.find("euler:") != std::string_view::npos;
+        const std::string said = is_euler ? "euler" : convention_in(part);
+        const std::string own = said.empty() ? part : said;
+        if (EulerSequence::parse(said) && sequences.empty()) {
+            sequences = sequences_in(said);
+        } else if (is_euler || is_spec(own)) {
+            name = name.empty() || name == "euler" ? own : "none";
+        } else {
+            name =
+                name.empty() && is_spec(fmt::format("quat:{}", own)) && own.size() == 4 ? "quat" : name; // of an order
+            modifiers.append(":").append(own);
+        }
+    }
+    sequences = sequences.empty() ? Words{name} : name.empty() || name == "euler" ? sequences : Words();
+    const Words specs = filtered(mapped(sequences, [&](const std::string& each) { return each + modifiers; }), is_spec);
+    return specs.empty() && text.find(' ') != std::string::npos ? specs_of_columns(text) : specs;
+}
+
+/// What may be meant by a word, as Meaning::instead says it: what it means elsewhere, another way of writing what is
+/// known, or the legal word that is spelled nearly so.
+Words meant(std::string_view word, const Legal& legal) {
+    Words texts;
+    const Meaning* const meaning = find_meaning(word);
+    for (const std::string_view each : split(meaning == nullptr ? "" : meaning->instead, '|')) {
+        texts.push_back(joined(words_in(each), " "));
+    }
+    const std::string bare(word.substr(std::min(word.find_first_not_of('-'), word.size())));
+    const Project* const project = find_project(bare);
+    if (!texts.front().empty()) {
+        return texts;
+    }
+    texts = is_spec(bare) ? Words{bare} : sequences_in(bare);
+    if (!texts.empty()) {
+        return texts;
+    }
+    if (is_spec("quat:" + bare) || (project != nullptr && is_preset(project->text))) { // a modifier
+        texts.push_back(":" + (project != nullptr ? std::string(project->text) : bare));
+    }
+    if (project != nullptr && !project->specs.empty()) { // one of several
+        texts.push_back(fmt::format("-f {}", project->text));
+    }
+    texts = texts.empty() ? specs_of_parts(bare) : texts;
+    if (!texts.empty()) {
+        return texts;
+    }
+    return nearest(word, legal);
+}
+
+/// A SPEC with a modifier, which may also be its sequence, or the case of its letters: upper, lower.
+Words with_modifier(const std::string& spec, const std::string& modifier) {
+    const auto parts = split(spec, ':');
+    const bool is_case = modifier == "upper" || modifier == "lower";
+    auto sequences = sequences_in(is_case && parts.size() > 1 ? parts[1] : std::string_view(modifier));
+    if (plain_name(parts[0]) != "euler" || sequences.empty()) {
+        return is_case ? Words() : Words{spec + ":" + modifier};
+    }
+    const std::string rest = spec.substr(parts[0].size() + (is_case ? parts[1].size() + 1 : 0));
+    if (is_case) {
+        sequences = {modifier == "upper" ? sequences.back() : "euler:" + lower(sequences[0].substr(6))};
+    }
+    return mapped(sequences, [&rest](const std::string& each) { return each + rest; });
+}
+
+/// SPECs that a text may mean which is none. An empty one: the option goes.
+Words meant_specs(const std::string& text, const SpecError& error) {
+    using What = SpecError::What;
+    auto others = split(text, ':');
+    const auto wrong = std::ranges::find(others, error.text);
+    if (error.what == What::no_sequence || wrong == others.end()) {
+        return error.what == What::no_sequence ? Words{"rpy", "euler:ZYX"} : Words();
+    }
+    const bool is_name = wrong == others.begin();
+    others.erase(wrong);
+    const std::string name(is_name ? "quat" : others[0]);
+    const std::string rest = joined(std::span(others).subspan(is_name ? 0 : 1), ":");
+    const auto with_rest = [&rest](const std::string& spec) { return spec + (rest.empty() ? "" : ":") + rest; };
+    auto legal = is_name ? all_names() : words_of(error.in->modifiers);
+    if (!is_name) {
+        std::ranges::copy(all_presets(), std::back_inserter(legal));
+    }
+    Words specs;
+    for (const std::string& each : error.what == What::meaningless_modifier ? Words{"-"} : meant(error.text, legal)) {
+        if (each == ":ARG" || each.starts_with("-f ")) { // of an option
+            continue;
+        }
+        const bool is_modifier = each.starts_with(':') || (!is_name && !is_spec(each) && each != "-");
+        const Words made = each == "-"   ? Words{is_name ? "" : with_rest(name)}
+                           : is_modifier ? with_modifier(with_rest(name), each.substr(each.starts_with(':') ? 1 : 0))
+                                         : Words{with_rest(each)};
+        specs.insert(specs.end(), made.begin(), made.end());
+    }
+    return error.what == What::meaningless_modifier && plain_name(error.text) != "deg" ? Words() : specs;
+}
+
+/// With the project as its modifier, where that means the same, for it says more.
+std::string with_project(const std::string& spec, const Project& project) {
+    const auto parsed = parse_spec(spec);
+    const auto named = parse_spec(fmt::format("{}:{}", spec.substr(0, spec.find(':')), project.text));
+    const auto* const own = std::get_if<Spec>(&parsed);
+    const auto* const other = std::get_if<Spec>(&named);
+    const bool is_same = own != nullptr && other != nullptr && own->text() == other->text();
+    return is_same ? fmt::format("{}:{}", representation(own->name).text, project.text) : spec;
+}
+
+/// The SPECs of a project that has several; a list of columns may stand behind one.
+Words specs_of(const Project& project) {
+    Words specs;
+    for (std::string_view rest = project.specs; !rest.empty();) {
+        const std::string_view item = rest.substr(0, rest.find("; "));
+        rest.remove_prefix(std::min(item.size() + 2, rest.size()));
+        const std::string_view columns = item.substr(std::min(item.find(" --columns "), item.size()));
+        specs.push_back(with_project(std::string(item.substr(0, item.find(' '))), project).append(columns));
+    }
+    return specs;
+}
+
+void add(std::vector<Mend>& mends, const std::vector<Mend>& more) {
+    mends.insert(mends.end(), more.begin(), more.end());
+}
+
+bool is_command(std::string_view word) {
+    return !word.empty() && std::ranges::count(command_table(), word, &CommandEntry::name) > 0;
+}
+
+/// A word of the command line, an option or an operand, and the edits that put others in its place.
+class Replaced {
+public:
+    Replaced(const OptionSet& options, std::size_t at) : options_(&options), at_(at), word_(options.words[at]) {
+        const auto equals = word_.starts_with("--") ? word_.find('=') : std::string::npos;
+        is_joined_ = equals != std::string::npos;
+        argument_ = is_joined_ ? word_.substr(equals + 1) : at + 1 < options.words.size() ? options.words[at + 1] : "";
+    }
+
+    /// What is given to it; the next word, if it takes none.
+    [[nodiscard]] const std::string& argument() const { return argument_; }
+    /// @param text one alternative, as Meaning::instead says it
+    [[nodiscard]] std::vector<Mend> by(const std::string& text) const {
+        const auto has = [&text](std::string_view part) { return text.find(part) != std::string::npos; };
+        const Option* const from = options_->find("--from");
+        const bool takes_argument = has("ARG") || text == "tail" || text == "- -";
+        const bool lacks_from = has("FROM") && (from == nullptr || !from->given());
+        if ((takes_argument && argument_.empty()) || lacks_from ||
+            (is_command(text.substr(0, text.find(' '))) && options_->begin > 0)) {
+            return {};
+        }
+        const std::size_t listed = has("@ARG") ? size_of_list() : 1;
+        const bool is_of_rotate = options_->begin > 0 && options_->words[options_->begin - 1] == "rotate";
+        if (is_spec(text) && argument_.find(',') != std::string::npos && !is_value(argument_)) { // --quat a,b,c,d
+            return {{{{{at_}, is_joined_ ? std::size_t{1} : 2, {"-f", text, "--columns", argument_}}}}};
+        }
+        if (listed == 0 || (text == "- -" && argument_.size() != 1) || (text == "-o ARG" && is_spec(argument_)) ||
+            (text == "@ARG" && !is_of_rotate)) {
+            return {};
+        }
+        Mend mend{{{{at_}, takes_argument && listed < 2 && !is_joined_ ? std::size_t{2} : 1}}};
+        if (text == "tail") {
+            return skipping(mend);
+        }
+        std::string modifier;
+        for (std::string word : words_in(text)) {
+            const bool is_values = word == "@ARG";
+            if (is_values && listed > 1) { // they stay where they are
+                continue;
+            }
+            replace(word, "FROM", lacks_from || !has("FROM") ? "" : from->text());
+            replace(word, "ARG", argument_);
+            replace(word, "~", " ");
+            if (is_values) {
+                std::ranges::replace(word, ',', ' ');
+                mend.edits.push_back({{Edit::at_end}, 0, words_in(word.substr(1))});
+            } else if (word.starts_with(':')) {
+                modifier = word.substr(1);
+            } else if (is_command(word) && at_ > 0) {
+                mend.edits.push_back({{0}, 0, {word}});
+            } else if (word != "-") {
+                mend.edits.front().by.push_back(word);
+            }
+        }
+        auto& by = mend.edits.front().by;
+        if (is_joined_ && !takes_argument && !by.empty()) {
+            by.back() += "=" + argument_;
+        }
+        if (unit_of_word(modifier) == "rad") { // which they are without -d and :deg
+            const bool are_degrees = std::ranges::any_of(options_->words, [](const std::string& word) {
+                return word == "-d" || word == "--degrees" || word.find(":deg") != std::string::npos;
+            });
+            return are_degrees ? std::vector<Mend>() : std::vector<Mend>{mend};
+        }
+        return modifier.empty() ? std::vector<Mend>{mend} : with(mend, modifier);
+    }
+
+private:
+    static void replace(std::string& text, std::string_view part, const std::string& by) {
+        if (const auto at = text.find(part); at != std::string::npos) {
+            text.replace(at, part.size(), by);
+        }
+    }
+    /// How many numbers, each a word, are behind the option, if they are the last ones behind others; 1: a word of
+    /// numbers; 0: neither.
+    [[nodiscard]] std::size_t size_of_list() const {
+        const auto& words = options_->words;
+        if (is_joined_ || argument_.find_first_of(", ") != std::string::npos) {
+            return 1;
+        }
+        const auto first = words.begin() + static_cast<std::ptrdiff_t>(at_) + 1;
+        const auto end = std::find_if_not(first, words.end(), is_value);
+        const bool are_last = std::none_of(end, words.end(), is_value) && std::any_of(words.begin(), first, is_value);
+        return are_last && end - first == 3 ? 3 : 0;
+    }
+    [[nodiscard]] std::vector<Mend> skipping(Mend mend) const {
+        double lines = 0.0;
+        const std::size_t own = is_joined_ ? 0 : 1; // which is a VALUE as long as the option is unknown
+        if (stream::read_number(argument_, lines) != stream::NumberError::none || options_->values.size() != own ||
+            options_->files.size() > 1) {
+            return {};
+        }
+        mend.pipe = fmt::format("tail -n +{:.0f}", lines + 1.0);
+        for (const WordEnd& file : options_->file_words) {
+            mend.edits.push_back({file});
+            mend.pipe += " " + file_in_shell(options_->words[file.word]);
+        }
+        return {mend};
+    }
+    /// Also with a modifier of one of the SPECs, but an inverse of the one that is written.
+    [[nodiscard]] std::vector<Mend> with(const Mend& mend, const std::string& modifier) const {
+        const bool is_inverse = modifier == "passive";
+        const Option* const own = options_->find("--from");
+        if (is_preset(modifier) && own != nullptr && !own->given()) { // it is said of the numbers that are read
+            return {};
+        }
+        std::vector<Mend> mends;
+        for (const char* name : {is_inverse ? "--to" : "--from", is_inverse ? "--from" : "--to"}) {
+            const Option* const option = options_->find(name);
+            if (option == nullptr || !option->given() || (is_inverse && !mends.empty())) {
+                continue;
+            }
+            for (const std::string& spec : filtered(with_modifier(option->text(), modifier), is_spec)) {
+                mends.push_back(mend);
+                mends.back().edits.push_back(OptionSet::setting(*option, spec));
+            }
+        }
+        return mends;
+    }
+
+    const OptionSet* options_;
+    std::size_t at_;
+    std::string word_;
+    std::string argument_;
+    bool is_joined_ = false;
+};
+
+} // namespace
+
+bool is_spec(std::string_view word) { return std::holds_alternative<Spec>(parse_spec(word)); }
+
+bool is_preset(std::string_view word) { return std::ranges::count(presets(), word, &Project::text) != 0; }
+
+Usage no_such_word(std::string_view what, const Option& option, std::string_view text, const Legal& legal) {
+    std::vector<Mend> mends;
+    for (const std::string& word : nearest(text, legal)) {
+        std::string argument = option.text();
+        argument.replace(argument.find(text), text.size(), word);
+        mends.push_back({{{option.place, 1, {argument}}}});
+    }
+    return Usage("{} is not a known {} (legal: {})", quoted(text), what, joined(legal, " ")).with(std::move(mends));
+}
+
+Usage no_such_option(const OptionSet& options) {
+    const std::string name = options.unknown.substr(0, options.unknown.find('='));
+    const std::string bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
+    Words others; // commands that have the option
+    for (const CommandEntry& each : command_table()) {
+        if (each.options()->find(name) != nullptr) {
+            others.emplace_back(each.name.empty() ? "the conversion" : each.name);
+        }
+    }
+    std::vector<Mend> mends;
+    if (options.words[options.unknown_place.word].starts_with(name)) { // no letter among others
+        const Replaced replaced(options, options.unknown_place.word);
+        const auto names = mapped(options.all(), &Option::name);
+        const bool has_spec = is_spec(replaced.argument());             // --out quat
+        const auto begun = filtered(names, [&](std::string_view each) { // --inv, not --time of --time-unit
+            return !has_spec && each.size() > name.size() && each.starts_with(name) && each[name.size()] != '-';
+        });
+        const Words near = begun.size() == 1  ? Words{std::string(begun[0])}
+                           : is_command(bare) ? Words{bare}
+                                              : nearest(name, names);
+        const Words first = begun.size() == 1 ? near : meant(others.empty() && bare.size() == 1 ? bare : name, names);
+        for (const Words& texts : {first, near}) {
+            for (const std::string& each : mends.empty() ? texts : Words()) {
+                add(mends, each == name ? std::vector<Mend>() : replaced.by(each));
+            }
+        }
+    }
+    const std::string told = meaning_of_word(name);
+    const std::string command = options.begin > 0 ? options.words[options.begin - 1] : "the conversion";
+    const std::string said =
+        others.empty() ? fmt::format("{} is not a known option", quoted(name))
+                       : fmt::format("{} has no {}: it is an option of {}", command, shown(name), joined(others, ", "));
+    return Usage(said + told).with(std::move(mends), others.empty() && told.empty() ? "; see rotconv --help" : "");
+}
+
+Usage no_such_method(RepresentationId from, RepresentationId to, const Option& option) {
+    const std::string pair = fmt::format("{} to {}", representation(from).text, representation(to).text);
+    const auto rows = methods_of(from, to);
+    std::string said = fmt::format("{} {}", option.name(), quoted(option.text()));
+    if (rows.empty()) {
+        return Usage("{}: from {} only default, fast and all are known", said, pair);
+    }
+    said += fmt::format(" is not a known method from {}; legal:\n  {:<18} {}", pair, default_method, every_input);
+    std::vector<Mend> mends;
+    for (const std::string& name : nearest(option.text(), mapped(rows, &Method::name))) {
+        mends.push_back({{OptionSet::changing(option, name)}});
+    }
+    for (const Method& method : rows) {
+        said += fmt::format("\n  {:<18} {}", method.name, method.domain);
+    }
+    said +=
+        fmt::format("\n  {:<18} {}\n  {:<18} each of these, one line for each", fast_method, every_input, all_methods);
+    return Usage(said).with(std::move(mends));
+}
+
+std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at) {
+    const std::string& word = options.words[at];
+    const Replaced replaced(options, at);
+    const Option* const from = options.find("--from");
+    const Option* const to = options.find("--to");
+    std::vector<Mend> mends;
+    const auto parsed = parse_spec(word);
+    if (const auto* const error = std::get_if<SpecError>(&parsed); error != nullptr && options.takes_names()) {
+        for (const std::string& spec : meant_specs(word, *error)) {
+            add(mends, replaced.by(spec));
+        }
+        return mends;
+    }
+    if (word.size() == 1 && !is_alphanumeric(word[0]) && at > 0 && options.words[at - 1] == "-d") { // as in cut
+        return {{{{{at - 1}, 2, {"--delimiter", word}}}}};
+    }
+    const auto two = word.find('2');
+    if (two != std::string::npos && two > 0 && std::ranges::all_of(word, is_alphanumeric)) { // rpy2quat
+        const auto names_of_one = [](const std::string& name) {
+            return name == "e" || lower(name) == "angle" || lower(name) == "eul" ? Words{"euler:ZYX"} : meant(name, {});
+        };
+        const auto of_matlab = [](const std::string& spec) { return spec == "dcm" ? "dcm:passive" : spec; };
+        for (const std::string& first : names_of_one(word.substr(0, two))) {
+            for (const std::string& second : names_of_one(word.substr(two + 1))) {
+                add(mends, replaced.by(fmt::format("-f {} -t {}", of_matlab(first), of_matlab(second))));
+                add(mends, replaced.by(fmt::format("-f {} -t {}", first, second))); // the same but for matrices
+            }
+        }
+        return mends;
+    }
+    const auto table = command_table();
+    for (const std::string& each : meant(word, mapped(std::span(table).subspan(1), &CommandEntry::name))) {
+        const bool is_from = from != nullptr && !from->given();
+        if (!is_spec(each)) {
+            add(mends, replaced.by(each));
+        } else if (is_from || (to != nullptr && !to->given())) {
+            add(mends, replaced.by((is_from ? "-f " : "-t ") + each));
+        }
+    }
+    return mends;
+}
+
+std::string meaning_of_word(std::string_view word) {
+    const Meaning* const meaning = find_meaning(word);
+    return word.find('2') != std::string_view::npos && word.find("dcm") != std::string_view::npos
+               ? "; MATLAB's matrices are dcm:passive, from reference to body axes"
+           : meaning == nullptr || meaning->about.empty() ? ""
+                                                          : fmt::format("; {}", meaning->about);
+}
+
+std::string explain(const SpecError& error) {
+    using What = SpecError::What;
+    const Project* const project = find_project(error.text);
+    std::string said = message(SpecError{error.what, shortened(error.text), error.in});
+    if (error.what == What::unknown_name && project != nullptr) {
+        const std::string_view mark = project->specs.empty() || project->remark.empty() ? "" : "; ";
+        return fmt::format("{} {}{}{}{}", project->text,
+                           project->specs.empty() ? "has no SPEC: " : "has several SPECs: ", project->specs, mark,
+                           project->remark);
+    }
+    if (error.what == What::meaningless_modifier) {
+        return fmt::format("{} (legal: {} and the presets of rotconv list presets)", said,
+                           fmt::join(words_of(error.in->modifiers), " "));
+    }
+    return said + (project != nullptr ? fmt::format("; {} is {}", project->text, project->specs)
+                                      : meaning_of_word(error.what == What::no_sequence ? "euler" : error.text));
+}
+
+Usage no_such_spec(const Option& option, const std::string& item, const SpecError& error) {
+    using What = SpecError::What;
+    const Project* const project = error.what == What::unknown_name ? find_project(error.text) : nullptr;
+    const std::string rest = item.substr(std::min(item.find(':'), item.size()));
+    std::vector<Mend> mends;
+    for (const std::string& spec : project != nullptr ? specs_of(*project) : meant_specs(item, error)) {
+        const auto words = words_in(spec);
+        std::string text = option.text();
+        text.replace(text.find(item), item.size(), words.empty() ? "" : words[0] + (project != nullptr ? rest : ""));
+        mends.push_back({{OptionSet::changing(option, text)}});
+        if (words.size() > 1) {
+            mends.back().order.push_back({{Edit::at_end}, 0, {words.begin() + 1, words.end()}});
+        }
+    }
+    const bool is_known = find_project(error.text) != nullptr || find_meaning(error.text) != nullptr;
+    const std::string where =
+        project != nullptr                     ? fmt::format("; see rotconv list {}", project->text)
+        : is_known                             ? ""
+        : error.what == What::unknown_name     ? "; rotconv list has them, rotconv list projects those of programs"
+        : error.what == What::unknown_sequence ? "; it has three letters, neighbours different; rotconv list euler "
+                                                 "explains them"
+        : error.what == What::unknown_modifier ? "; rotconv list NAME and rotconv list presets have them"
+                                               : "";
+    Usage usage =
+        Usage("{} {}: {}", option.name(), quoted(option.text()), explain(error)).with(std::move(mends), where);
+    usage.is_choice = project != nullptr && option.name() == "--from";
+    return usage;
+}
+
+std::string mend(std::string_view text) {
+    constexpr std::string_view of_numbers = "0123456789+-.*/,; \t\r\n[](){}<>";
+    if (text.find('\\') != std::string_view::npos) { // of DICOM
+        return "; write blanks for backslashes";
+    }
+    std::string rest(text);
+    std::ranges::replace_if(
+        rest, [of_numbers](char c) { return of_numbers.find(c) != std::string_view::npos; }, ' ');
+    const auto words = words_in(rest);
+    const auto meanings = mapped(words, [](const std::string& word) { return find_meaning(word); });
+    if (!words.empty()) { // nothing but one thing, perhaps several times: 90deg, 0.8 + 0.6i
+        const Meaning* const first = meanings.front();
+        const bool is_one = first != nullptr && !first->in_spec && !first->is_verb &&
+                            (first->instead.empty() || first->instead == "-" || first->instead[0] == ':') &&
+                            std::ranges::count(meanings, first) == std::ranges::ssize(meanings);
+        return is_one ? meaning_of_word(words.front()) : "";
+    }
+    bool has_blank = false; // that does not follow a comma
+    for (std::size_t i = 1; i < text.size(); ++i) {
+        has_blank = has_blank || ((text[i] == ' ' || text[i] == '\t') && text[i - 1] != ',' && text[i - 1] != ' ');
+    }
+    return has_blank && text.find(',') != std::string_view::npos
+               ? "; only blanks may be between numbers, or only commas (and no decimal commas)"
+               : "";
+}
+
+std::string mend(const stream::RowError& error) {
+    using What = stream::RowError::What;
+    const bool is_count = error.what == What::wrong_count;
+    const std::string mended = is_count || error.what == What::not_a_number ? mend(error.text) : "";
+    const bool may_be_decimal = is_count && error.found == 2 * error.expected && !error.text.ends_with(',') &&
+                                error.text.find(',') != std::string::npos && error.text.find('.') == std::string::npos;
+    return mended.empty() && may_be_decimal ? "; if these are decimal commas: write points" : mended;
+}
+
+bool is_verb(std::string_view word) {
+    const Meaning* const meaning = find_meaning(word);
+    return meaning != nullptr && meaning->is_verb;
+}
+
+} // namespace rotconv::cli::messages

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "../../stream/rows/row_operation.hpp"
+
+namespace rotconv::cli {
+
+/// Commands of the shell that make rows of lines such as XP1={X 445,Y 0,Z 790,A 30,B 20,C 10}: of their numbers alone.
+struct LabelledLines {
+    std::string command; ///< that reads the file
+    std::string others;  ///< behind a |
+    std::string text;    ///< what they make of the lines
+    std::string line;    ///< the first
+    bool is_ragged;      ///< its lines have different counts of numbers
+    std::string columns; ///< of the attitude among the numbers, as a LIST
+};
+
+/// Of the lines that hold an attitude as VALUEs do, those with a word of the first one, or all that have numbers: the
+/// most that hold it at the same place. Nothing where there are none.
+/// @param from the SPEC as it is given
+[[nodiscard]] std::optional<LabelledLines> labelled_lines(const std::vector<std::string_view>& lines,
+                                                          const stream::RowNumbers& numbers, const std::string& from);
+
+} // namespace rotconv::cli

@@ -1,0 +1,440 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <rotconv/spec.hpp>
+
+#include "../../operations/operations.hpp"
+#include "../../stream/beginning/header_line.hpp"
+#include "../../stream/beginning/preamble.hpp"
+#include "../../stream/bytes/file.hpp"
+#include "../../stream/numbers/number_text.hpp"
+#include "../grammar/column_names.hpp"
+#include "answers.hpp"
+#include "labelled_lines.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+/// A line in fields, and what it may be.
+struct Row : stream::HeaderLine {
+    Row(const stream::Line& line_, const stream::InputOptions& input)
+        : HeaderLine(line_, input.delimiter.value_or(stream::Delimiter::of_row(line_.text))),
+          is_row(input.is_row(line_.text)),
+          has_numbers(is_row && 2 * std::ranges::count_if(fields, stream::is_number) > std::ranges::ssize(fields)) {}
+    bool is_row;      ///< neither blank nor a comment
+    bool has_numbers; ///< it is a row, and more than half of its fields are numbers
+};
+
+/// What a command of the shell, which reads stdin, makes of a text.
+struct Filter {
+    std::string_view command;
+    char from = '\0'; ///< the character that it replaces
+    char to = '\0';   ///< '\0': it takes the character out
+
+    [[nodiscard]] std::string of(std::string_view text) const {
+        std::string made(text);
+        if (to == '\0') {
+            std::erase(made, from);
+        } else {
+            std::ranges::replace(made, from, to);
+        }
+        return made;
+    }
+};
+constexpr auto filters =
+    std::to_array<Filter>({{"tr , .", ',', '.'}, {R"(tr , '\t')", ',', '\t'}, {"tr -d '\"'", '"'}});
+
+/// Whether it may stand in a LIST as it is.
+bool is_plain(const std::string& name) {
+    return std::ranges::all_of(name, [](char c) {
+        return is_alphanumeric(c) || std::string_view("_.[]-/").find(c) != std::string_view::npos;
+    });
+}
+
+/// The beginning of a stream with a row that cannot be read, and how it may be read.
+class UnreadRows {
+public:
+    UnreadRows(const RowsCommand& command, std::string_view text, std::size_t line, bool is_guess)
+        : command_(&command), is_guess_(is_guess), input_(command.options.input), spec_(input_.numbers.attitude),
+          count_(input_.numbers.names.size()), at_(line - 1), text_(text) {
+        while (!text.empty()) {
+            rows_.emplace_back(stream::next_line(text), input_);
+        }
+    }
+
+    [[nodiscard]] std::vector<std::vector<Mend>> mends() {
+        if (at_ >= rows_.size()) {
+            return {};
+        }
+        const auto first = std::ranges::find_if(rows_, &Row::has_numbers);
+        if (first != rows_.end() && !offer_columns(static_cast<std::size_t>(first - rows_.begin()))) {
+            return std::move(mends_); // what is read by index would be against the names
+        }
+        if (command_->line->find("--differences") != nullptr) { // of attitudes alone
+            mends_.push_back({{{{{Edit::at_end}, 0, {"--differences"}}}}});
+        }
+        const std::string_view line = rows_[at_].line.text;
+        if (line.find('\t') != std::string_view::npos && line.find(' ') != std::string_view::npos) {
+            offer({setting("--delimiter", "blank")});
+        }
+        const auto mark = line.substr(0, line.find_first_not_of("/%!*;|"));
+        offer({setting("--comment", mark.empty() ? "COMMENT" : std::string(mark))});
+        offer_matrices();
+        if (!is_guess_) {
+            offer_kinds();
+        }
+        offer_labelled_lines();
+        offer_text("", std::string(text_));
+        for (std::size_t i = rows_.size();
+             i-- > std::max<std::size_t>(at_, 1);) { // of several blocks of numbers the last
+            if (rows_[i].has_numbers && !rows_[i - 1].has_numbers) {
+                offer_block(i - 1, i); // with its header
+                offer_block(i, i);
+                break;
+            }
+        }
+        return std::move(mends_);
+    }
+
+private:
+    [[nodiscard]] std::optional<Edit> setting(std::string_view option, const std::string& argument) const {
+        const Option* const found = command_->line->find(option);
+        return found == nullptr ? std::nullopt : std::optional(command_->line->setting(*found, argument));
+    }
+    /// If the command has all these options.
+    void offer(const std::vector<std::optional<Edit>>& edits, const std::string& pipe = {}, std::string text = {},
+               std::string_view others = {}) {
+        if (std::ranges::all_of(edits, [](const auto& edit) { return edit.has_value(); })) {
+            const Mend mend{mapped(edits, [](const auto& edit) { return *edit; })};
+            mends_.push_back({pipe.empty() ? mend : command_->line->piped(mend, pipe, std::move(text), others)});
+        }
+    }
+
+    /// Offers columns: by the names above the row; the only numbers among its fields; a matrix of 3x4 or 4x4; or those
+    /// that are a unit quaternion, whose order is not known. False if the names are those of other columns than the
+    /// row has.
+    bool offer_columns(std::size_t row) {
+        const auto& fields = rows_[row].fields;
+        const bool is_alone = spec_ && spec_->size() == count_;
+        for (std::size_t i = row; is_alone && i-- > 0;) {
+            const auto names = (rows_[i].is_row ? rows_[i] : rows_[i].without_mark()).names();
+            if (const auto known = find_names(*spec_, names)) {
+                const auto found = known->of(names);
+                offer({setting("--columns", std::ranges::all_of(found, is_plain) ? joined(found) : known->columns())});
+                return names.size() == fields.size();
+            }
+        }
+        if (const std::string numbers = numbers_among(fields); !numbers.empty()) {
+            offer({setting("--columns", numbers)});
+        } else {
+            offer_choices(fields.size());
+        }
+        return true;
+    }
+    /// Offers columns of a row of so many fields that may be an attitude: a matrix of 3x4 or 4x4; or those that are a
+    /// unit quaternion, whose order is not known.
+    void offer_choices(std::size_t fields, const std::string& pipe = {}, const std::string& text = {}) {
+        const bool is_alone = spec_ && spec_->size() == count_ && !input_.columns.has_names();
+        if (is_alone && spec_->name == RepresentationId::dcm) {
+            offer({setting("--columns", "1-3,5-7,9-11")}, pipe, text);
+        }
+        const std::size_t end = std::min<std::size_t>(fields, 20); // of fields that may be one
+        for (std::size_t i = 0; is_alone && spec_->name == RepresentationId::quat && i + count_ <= end; ++i) {
+            const auto columns = setting("--columns", fmt::format("{}-{}", i + 1, i + count_));
+            const std::size_t before = mends_.size();
+            offer({columns}, pipe, text);
+            if (!spec_->has_given_order && spec_->project == nullptr && mends_.size() > before) {
+                offer({columns, setting("--from", "quat:xyzw")}, pipe, text);
+                mends_[before].push_back(mends_.back().front());
+                mends_.pop_back();
+            }
+        }
+    }
+    /// The fields that are numbers, as a LIST, if others are not and they are as many as are wanted; empty if not.
+    [[nodiscard]] std::string numbers_among(const std::vector<std::string_view>& fields) const {
+        std::vector<std::size_t> columns;
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            if (stream::is_number(fields[i])) {
+                columns.push_back(i + 1);
+            }
+        }
+        const bool has_brackets = std::ranges::any_of(
+            fields, [](std::string_view field) { return field.find_first_of("[](){}") != std::string_view::npos; });
+        const bool has_labels = !columns.empty() && fields[0].ends_with(':') && // each line is another thing
+                                std::ranges::any_of(rows_, [&fields](const Row& each) {
+                                    return each.has_numbers && each.fields[0] != fields[0];
+                                });
+        const bool is_range = columns.size() > 2 && columns.back() - columns.front() + 1 == columns.size();
+        return columns.size() != count_ || columns.size() == fields.size() || has_labels || has_brackets ? ""
+               : is_range ? fmt::format("{}-{}", columns.front(), columns.back())
+                          : joined(columns);
+    }
+
+    /// Offers a command that makes the text, and those that change characters in it, also with the columns of its first
+    /// row; without a command only the latter.
+    void offer_text(const std::string& pipe, const std::string& text) {
+        const auto offer_made = [this](const std::string& command, const std::string& made, const std::string& others) {
+            offer({}, command, made, others);
+            std::string_view rest = made;
+            const std::string columns = rest.empty() ? "" : numbers_among(Row(stream::next_line(rest), input_).fields);
+            if (!columns.empty()) {
+                offer({setting("--columns", columns)}, command, made, others);
+            }
+        };
+        if (!pipe.empty()) {
+            offer_made(pipe, text, "");
+        }
+        for (const Filter& filter : filters) {
+            const std::string command(filter.command);
+            if (text.find(filter.from) == std::string::npos ||
+                (filter.to == '.' && text.find('.') != std::string::npos)) {
+                continue;
+            }
+            offer_made(pipe.empty() ? command : pipe, filter.of(text), pipe.empty() ? "" : " | " + command);
+        }
+    }
+
+    /// Offers the lines from one on, up to one after the first numbers that has none: numbers may also be described by
+    /// rows.
+    void offer_block(std::size_t begin, std::size_t first) {
+        const auto rows = std::span(rows_).subspan(first);
+        const auto end = std::ranges::find_if_not(rows, &Row::has_numbers);
+        const bool is_rest = std::none_of(end, rows.end(), [](const Row& each) { return each.is_row; });
+        const auto place = [this](const Row& row) {
+            return static_cast<std::size_t>(row.line.text.data() - text_.data());
+        };
+        const std::size_t size = is_rest ? std::string_view::npos : place(*end) - place(rows_[begin]);
+        const std::string pipe =
+            is_rest ? fmt::format("tail -n +{}", begin + 1)
+                    : fmt::format("sed -n {},{}p", begin + 1, first + static_cast<std::size_t>(end - rows.begin()));
+        const std::string text(text_.substr(place(rows_[begin]), size));
+        offer_text(pipe, text);
+        if (begin == first) {
+            offer_choices(rows_[first].fields.size(), pipe, text);
+        }
+    }
+
+    /// Offers matrices, perhaps of 3x4 or 4x4, of which each row is a line.
+    void offer_matrices() {
+        const auto lines = filtered(rows_, [](const Row& row) { return !stream::is_blank(row.line.text); });
+        const std::size_t width = lines.empty() ? 0 : lines[0].fields.size();
+        const auto is_like_first = [&](const Row& row) { return row.has_numbers && row.fields.size() == width; };
+        const bool is_whole = width == 4 && lines.size() > 3 && lines[3].fields.size() == 4 &&
+                              lines[3].fields[0] == "0" && lines[3].fields[1] == "0";
+        const std::size_t height = is_whole ? 4 : 3;
+        if (!spec_ || spec_->name != RepresentationId::dcm || (width != 3 && width != 4) ||
+            lines.size() % height != 0 || !std::ranges::all_of(lines, is_like_first)) {
+            return;
+        }
+        const bool is_comma = lines[0].delimiter.text() == ',';
+        std::string made;
+        std::string command = is_comma ? "paste -d ," : "paste -d ' '";
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            command += i < height ? " -" : "";
+            made += std::string(lines[i].line.text) + (i % height + 1 == height ? '\n' : is_comma ? ',' : ' ');
+        }
+        const auto columns =
+            width == 4 ? std::vector{setting("--columns", "1-3,5-7,9-11")} : std::vector<std::optional<Edit>>();
+        offer(columns, "grep .", made, " | " + command);
+    }
+
+    /// Offers rows that begin with the name of their kind, for each of several kinds.
+    void offer_kinds() {
+        std::vector<std::string> kinds;
+        for (const Row& row : rows_) {
+            const std::string_view name = row.has_numbers ? row.fields[0] : "";
+            const bool is_word = !name.empty() && lower(name.substr(0, 1)) >= "a" && lower(name.substr(0, 1)) <= "z";
+            const bool is_plain_word = is_word && name.find_first_of("*.[]^$\\") == std::string_view::npos;
+            if (is_plain_word && !stream::is_number(name) && std::ranges::count(kinds, name) == 0) {
+                kinds.emplace_back(name);
+            }
+        }
+        std::erase_if(kinds, [this](const std::string& kind) { // of a single row
+            return std::ranges::count_if(rows_, [&kind](const Row& row) { return row.line.text.starts_with(kind); }) <
+                   2;
+        });
+        for (const std::string& kind :
+             kinds.size() < 2 || kinds.size() > most_kinds ? std::vector<std::string>() : kinds) {
+            std::string rows;
+            for (const Row& row : rows_) {
+                rows += row.line.text.starts_with(kind) ? std::string(row.line.text) + "\n" : "";
+            }
+            offer_text("grep " + in_shell("^" + kind), rows);
+        }
+    }
+
+    void offer_labelled_lines() {
+        const Option* const from = command_->line->find("--from");
+        const auto lines = mapped(rows_, [](const Row& row) { return row.line.text; });
+        const auto is_named = [this](std::string_view line) {
+            return lower(line).find(representation(spec_->name).text) != std::string::npos;
+        };
+        if (!spec_ || spec_->size() != count_ || from == nullptr ||
+            (is_guess_ && std::ranges::none_of(lines, is_named))) {
+            return;
+        }
+        const auto found = labelled_lines(lines, input_.numbers, from->text());
+        if (found && (!is_guess_ || is_named(found->line))) {
+            std::vector<std::optional<Edit>> edits{setting("--columns", found->columns)};
+            if (found->is_ragged) {
+                edits.emplace_back(Edit{{Edit::at_end}, 0, {"--ragged"}});
+            }
+            offer(edits, found->command, found->text, found->others);
+        }
+    }
+
+    static constexpr std::size_t most_kinds = 4;
+
+    const RowsCommand* command_;
+    bool is_guess_; ///< the SPEC is one
+    const stream::InputOptions& input_;
+    const std::optional<Spec>& spec_;
+    std::size_t count_; ///< of numbers
+    std::size_t at_;    ///< index of the line at which reading stopped
+    std::string_view text_;
+    std::vector<Row> rows_{};
+    std::vector<std::vector<Mend>> mends_{};
+};
+
+/// The columns of a SPEC; none if the text is no SPEC.
+std::vector<std::string> names_of_spec(const std::string& text) {
+    const auto parsed = parse_spec(text);
+    const auto* const spec = std::get_if<Spec>(&parsed);
+    return spec == nullptr ? std::vector<std::string>() : operations::names_of(*spec);
+}
+
+std::vector<double> numbers_in(std::string text) {
+    std::ranges::replace_if(
+        text, [](char c) { return std::string_view(",;[](){}\t\n").find(c) != std::string_view::npos; }, ' ');
+    std::vector<double> numbers;
+    for (const std::string& word : words_in(text)) {
+        double number = 0.0;
+        if (stream::read_number(word, number) == stream::NumberError::none) {
+            numbers.push_back(number);
+        }
+    }
+    return numbers;
+}
+
+constexpr auto possible_specs =
+    std::to_array<std::string_view>({"quat", "quat:xyzw", "rpy", "rotvec", "axis-angle", "dcm", "dcm:passive", "6d",
+                                     "5d", "euler:ZYX", "cayley", "mrp"});
+
+/// The SPECs that have as many numbers, which `said` names with their orders; all where none has.
+std::vector<std::string> specs_of_numbers(const std::vector<double>& numbers, std::string& said) {
+    constexpr double most_radians = 6.3;
+    const bool is_large = std::ranges::any_of(numbers, [](double number) { return std::abs(number) > most_radians; });
+    std::vector<std::string> specs;
+    std::vector<std::string> told;
+    for (const std::string_view text : possible_specs) {
+        Spec spec = std::get<Spec>(parse_spec(text));
+        if (spec.size() == numbers.size()) {
+            spec = is_large ? spec.in_degrees() : spec;
+            specs.push_back(spec.text());
+            told.push_back(fmt::format("{} ({})", spec.text(), fmt::join(operations::names_of(spec), " ")));
+        }
+    }
+    said += told.empty() ? "" : fmt::format("; {} are {}", counted(numbers.size(), "number"), joined(told, ", "));
+    return specs.empty() ? std::vector<std::string>(possible_specs.begin(), possible_specs.end()) : specs;
+}
+
+/// The SPECs that a file's names or numbers are; `said` names its columns.
+std::vector<std::string> specs_of_file(const std::string& name, const std::string& bytes, std::string& said) {
+    if (bytes.empty()) {
+        return {};
+    }
+    constexpr std::array<const char*, 3> known{"quat", "dcm", "rpy"};
+    stream::InputOptions input;
+    input.columns_of = [&known](const std::vector<std::string>& names) {
+        return stream::ChosenColumns{.are_known = std::ranges::any_of(known, [&names](const char* spec) {
+                                         return find_names(std::get<Spec>(parse_spec(spec)), names).has_value();
+                                     })};
+    };
+    stream::Preamble preamble(input);
+    stream::IoBlock block;
+    block.text = stream::without_byte_order_mark(bytes);
+    stream::Output nowhere;
+    preamble.read(block, true, nowhere);
+    const Row row(preamble.has_row() ? stream::next_line(block.text) : stream::Line(), input);
+    if (!row.has_numbers) {
+        said += fmt::format("; {} does not begin with a row of numbers", name);
+        return {possible_specs.begin(), possible_specs.end()}; // the whole may be one attitude
+    }
+    const std::vector<std::string>& header = preamble.layout().names;
+    const auto names = header.empty() ? std::vector<std::string>(row.fields.begin(), row.fields.end()) : header;
+    said += fmt::format("; {} has {}: {}", name, counted(row.fields.size(), "column"), numbered(names));
+    std::vector<std::string> specs;
+    for (const char* spec : known) {
+        if (find_names(std::get<Spec>(parse_spec(spec)), names)) {
+            specs.emplace_back(spec);
+        }
+    }
+    if (specs.empty() && header.empty()) { // a matrix may be of several lines
+        const std::size_t size = row.fields.size();
+        specs = size == 3                               ? std::vector<std::string>{"dcm", "rpy", "rotvec"}
+                : size == 4                             ? std::vector<std::string>{"quat", "quat:xyzw", "dcm"}
+                : size == 9 || size == 12 || size == 16 ? std::vector<std::string>{"dcm"}
+                                                        : std::vector<std::string>{"quat", "quat:xyzw"};
+    }
+    return specs;
+}
+
+} // namespace
+
+std::vector<std::vector<Mend>> row_mends(const RowsCommand& command, std::string_view beginning, std::size_t line,
+                                         bool is_guess) {
+    const bool is_text = beginning.find('\0') == std::string_view::npos;
+    return is_text ? UnreadRows(command, beginning, line, is_guess).mends() : std::vector<std::vector<Mend>>();
+}
+
+std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::string_view beginning) {
+    const stream::InputOptions& input = command.options.pairing->reference;
+    const auto& spec = input.numbers.attitude;
+    const Option* const option = command.line->find("--reference-columns");
+    for (std::string_view text = beginning; spec && option != nullptr && !option->given() && !text.empty();) {
+        const Row row(stream::next_line(text), input);
+        const auto columns = row.has_numbers ? columns_of_project(*spec, row.fields.size()) : stream::ChosenColumns();
+        if (columns.are_known) {
+            const auto indices =
+                mapped(columns.positions, [](std::size_t position) { return fmt::format("{}", position + 1); });
+            return {{{{OptionSet::setting(*option, joined(indices))}}}};
+        }
+    }
+    return {};
+}
+
+Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
+    const Option* const from = options.find("--from");
+    const std::string given = options.files.empty() ? options.input.text() : options.files[0];
+    const std::string path = given.empty() && options.values.empty() ? stream::File::name_of_input() : given;
+    const bool lacks_from = std::string_view(error.what()).starts_with("--from");
+    std::vector<std::string> specs;
+    std::string said = error.what();
+    if (!lacks_from) {
+        const std::string& own = from != nullptr ? from->text() : "";
+        const bool is_quat = find_names(std::get<Spec>(parse_spec("quat")), names_of_spec(own)).has_value();
+        specs = options.find("--by") != nullptr ? std::vector<std::string>{own}
+                : from != nullptr && is_quat    ? std::vector<std::string>{"rpy:deg", "dcm"}
+                                                : std::vector<std::string>{"quat"};
+    } else if (!options.values.empty()) {
+        specs = specs_of_numbers(numbers_in(joined(options.values, " ")), said);
+    } else if (const auto bytes = path.empty() ? std::optional(stream::File::lines_of_pipe()) : first_bytes(path)) {
+        specs = specs_of_file(path.empty() ? "the input" : quoted(path), *bytes, said);
+    }
+    std::vector<Mend> mends;
+    for (const std::string& spec : specs) {
+        const std::size_t place = lacks_from || from == nullptr ? options.begin : from->place.word + 1;
+        mends.push_back({{{{place}, 0, {lacks_from ? "-f" : "-t", spec}}}});
+    }
+    Usage usage = Usage(said).with(std::move(mends), said == error.what() ? "; see rotconv --help" : "");
+    usage.guesses_spec = lacks_from;
+    return usage;
+}
+
+} // namespace rotconv::cli

@@ -1,0 +1,48 @@
+#include "kernels.hpp"
+
+#include "../representations/rotation_angle.hpp"
+
+namespace rotconv {
+
+extern const KernelTable kernels_of_any_processor;
+#ifdef ROTCONV_HAS_FMA_TARGET
+extern const KernelTable kernels_of_avx2_fma;
+#endif
+
+const KernelTable& kernel_table() noexcept {
+#ifdef ROTCONV_HAS_FMA_TARGET
+    static const bool has_fma =
+        static_cast<bool>(__builtin_cpu_supports("avx2")) && static_cast<bool>(__builtin_cpu_supports("fma"));
+    return has_fma ? kernels_of_avx2_fma : kernels_of_any_processor;
+#else
+    return kernels_of_any_processor;
+#endif
+}
+
+Reading read_row(const Spec& spec, const double* numbers) noexcept {
+    double q[4];
+    double defect = 0.0;
+    const Error error = kernel_table().read_one(spec, numbers, q, defect);
+    return error == Error::none
+               ? Reading(Rotation::near_unit(alone(q[0]), alone(q[1]), alone(q[2]), alone(q[3])), defect)
+               : Reading(error);
+}
+
+DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numbers, double lock_margin) noexcept {
+    // As it is: stored again it would have to be waited for.
+    // NOLINTNEXTLINE(*-reinterpret-cast)
+    const auto& q = *reinterpret_cast<const double(*)[4]>(rotation.components().data());
+    return kernel_table().write_one(spec, lock_margin, q, numbers);
+}
+
+void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,
+            AttitudeBatch<double>& relative, double* angles) noexcept {
+    kernel_table().relate(attitudes, references, rows, relative, angles);
+    for (std::size_t i = 0; i < rows; ++i) {
+        if (!(angles[i] >= 0x1p-100)) {
+            angles[i] = angle_of(relative.at(i));
+        }
+    }
+}
+
+} // namespace rotconv

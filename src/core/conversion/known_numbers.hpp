@@ -1,0 +1,419 @@
+#pragma once
+
+#include <cstdint>
+
+#include "../representations/euler_formulas.hpp"
+#include "careful_rows.hpp"
+
+namespace rotconv {
+inline namespace ROTCONV_TARGET {
+
+// Numbers that are exactly 0. No number of bits proves that sin a cos a - cos a sin a is 0, but the formulas are
+// analytic functions of the numbers of a row: what is 0 in a row whose numbers have nothing to do with each other is 0
+// in all rows with the same pattern, of numbers that are 0, and angles that are multiples of 90 or 15 degrees, which
+// stay as they are (a test of identities, as Schwartz and Zippel have it for polynomials). Of matrices the signs of
+// the large entries belong to it: with others, what is 0 may be another number (r11 = 1 and -1 in a turn about x).
+
+enum : unsigned { code_of_zero = 0, code_of_any = 1, code_of_multiple = 2, code_of_large = 2 }; // and up to 47 more
+
+inline bool is_angle_in_degrees(const Spec* spec, const double* numbers, std::size_t k) noexcept {
+    if (spec == nullptr || spec->unit != AngleUnit::degrees) {
+        return false;
+    }
+    const bool is_length = spec->name == RepresentationId::rotvec && // one number alone
+                           __builtin_fabs(numbers[0]) + __builtin_fabs(numbers[1]) + __builtin_fabs(numbers[2]) ==
+                               __builtin_fabs(numbers[k]);
+    return is_length || spec->name == RepresentationId::euler || spec->name == RepresentationId::rpy ||
+           (spec->name == RepresentationId::axis_angle && k == 3);
+}
+
+/// The numbers of an attitude or of a vector as a pattern has them. Of angles multiples of `step` degrees, 90 or 15,
+/// are known.
+class PartOfPattern {
+public:
+    PartOfPattern(const Spec* spec, const double* numbers, double step) noexcept
+        : spec_(spec), numbers_(numbers), step_(step),
+          has_angles_(spec != nullptr && spec->unit == AngleUnit::degrees) {
+        if (spec == nullptr) {
+            return;
+        }
+        is_matrix_ = spec->name == RepresentationId::dcm || spec->name == RepresentationId::two_column ||
+                     spec->name == RepresentationId::five_d;
+        size_ = spec->size();
+        column_ = spec->name == RepresentationId::two_column ? 3 : size_; // each is of a size of its own
+        for (std::size_t k = 0; k < size_ && is_matrix_; ++k) {
+            small_[k / column_] = larger_of(small_[k / column_], 0x1p-8 * __builtin_fabs(numbers[k]));
+        }
+    }
+
+    [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] unsigned code(std::size_t k) const noexcept {
+        const double number = numbers_[k];
+        if (number == 0.0) {
+            return code_of_zero;
+        }
+        if (is_matrix_) {
+            return __builtin_fabs(number) <= small_[k / column_] ? code_of_any
+                                                                 : code_of_large + (number < 0.0 ? 1U : 0U);
+        }
+        const double multiple = number / step_;
+        if (!is_angle_in_degrees(spec_, numbers_, k) || !(__builtin_fabs(multiple) < 0x1p28)) {
+            return code_of_any;
+        }
+        const auto whole = static_cast<int>(multiple);
+        if (step_ * whole != number) {
+            return code_of_any;
+        }
+        const int fifteens = whole * (step_ == 90.0 ? 6 : 1) % 48;
+        return code_of_multiple + static_cast<unsigned>(fifteens < 0 ? fifteens + 48 : fifteens);
+    }
+    [[nodiscard]] bool is_known(unsigned code) const noexcept { return code != code_of_any && !is_matrix_; }
+    [[nodiscard]] unsigned bits(std::size_t k) const noexcept {
+        return has_angles_ && (size_ == 3 || k == 3) ? 6U : is_matrix_ ? 2U : 1U;
+    }
+    /// Another number of the same code; of a matrix it is to stay near a rotation.
+    [[nodiscard]] double stand_in(std::size_t k, double fraction) const noexcept {
+        const double other = (0.25 + 0.5 * fraction) * (has_angles_ ? 57.0 : 1.0);
+        const unsigned own = code(k);
+        return own == code_of_any ? (is_matrix_ ? small_[k / column_] : 1.0) * other
+               : is_matrix_       ? numbers_[k] * (1.0 + 0x1p-12 * fraction)
+                                  : numbers_[k];
+    }
+
+private:
+    const Spec* spec_; ///< null of a vector
+    const double* numbers_;
+    double step_;
+    bool has_angles_;
+    bool is_matrix_ = false;
+    std::size_t size_ = 3;
+    std::size_t column_ = 3;
+    double small_[2] = {}; ///< entries of its columns up to here are small
+};
+
+/// The pattern of a row: the codes of its numbers, in 38 bits at most. `all_known`: there is no other number in it.
+inline std::uint64_t zero_pattern(const CarefulTask& task, const CarefulRow& row, double step,
+                                  bool& all_known) noexcept {
+    all_known = !task.fixed->has_left && !task.fixed->has_right;
+    std::uint64_t pattern = task.lock_margin == LockLimit::at_lower   ? 1
+                            : task.lock_margin == LockLimit::at_upper ? 2
+                                                                      : 0;
+    const auto add = [&](const PartOfPattern& part) {
+        for (std::size_t k = 0; k < part.size(); ++k) {
+            const unsigned code = part.code(k);
+            all_known = all_known && part.is_known(code);
+            pattern = pattern << part.bits(k) | code;
+        }
+    };
+    add({task.first, row.first, step});
+    if (row.second != nullptr) {
+        add({task.second, row.second, step});
+    }
+    return pattern;
+}
+
+/// At gimbal lock angles are other functions of a row: the task whose rows are all locked, at the end where the row is.
+inline CarefulTask at_lock(const CarefulTask& task, DiagnosticSet diagnostics, double middle) noexcept {
+    CarefulTask locked = task;
+    if (diagnostics.has(DiagnosticKind::gimbal_lock)) {
+        const AngleRanges ranges(FixedAxes(task.to->sequence), *task.to);
+        locked.lock_margin = middle == ranges.upper.hi ? LockLimit::at_upper : LockLimit::at_lower;
+    }
+    return locked;
+}
+
+/// Other numbers of the same pattern.
+inline void take_stand_ins(const PartOfPattern& part, std::size_t first, double* others) noexcept {
+    constexpr double fractions[] = {0.6180339887498949, 0.7320508075688773, 0.2360679774997897, 0.4142135623730951,
+                                    0.3166247903553998, 0.1231056256176605, 0.7958315233127196, 0.9160797830996161,
+                                    0.5677643628300219, 0.8284271247461903, 0.4641016151377546, 0.6055512754639892,
+                                    0.3588989435406736, 0.0717967697244908, 0.6904157598234297, 0.9487539562906138,
+                                    0.1414284285428503, 0.5249378105604451};
+    for (std::size_t k = 0; k < part.size(); ++k) {
+        others[k] = part.stand_in(k, fractions[(first + k) % 18]);
+    }
+}
+
+constexpr int least = -400; // in size less than 2^least is 0
+
+/// Whether numbers of fixed rotations are so small that what comes of them may be.
+inline bool has_tiny(const FixedFactor* factors, std::size_t count) noexcept {
+    bool found = false;
+    for (std::size_t n = 0; n < count; ++n) {
+        for (const double number : factors[n].numbers) {
+            found = found || (number != 0.0 && __builtin_fabs(number) < 0x1p-60);
+        }
+        for (const double number : factors[n].rest) {
+            found = found || number != 0.0;
+        }
+    }
+    return found;
+}
+
+/// Bit k: the number k is 0, or an angle of half a turn, in all rows of the row's pattern; bit 16 + k: the component k
+/// of the attitude is.
+inline std::uint32_t zeros_of_stand_ins(const CarefulTask& task, const CarefulRow& other,
+                                        Careful (&results)[most_numbers]) noexcept {
+    Careful q[4];
+    std::uint32_t zeros = 0;
+    if (has_tiny(task.fixed->left_factors, task.fixed->left_count) ||
+        has_tiny(task.fixed->right_factors, task.fixed->right_count)) {
+        for (Careful& result : results) {
+            result = __builtin_nan("");
+        }
+        return 0;
+    }
+    read_carefully(task, other, q);
+    for (unsigned k = 0; k < 4; ++k) {
+        if (q[k].is_below(least)) {
+            q[k] = 0.0;
+            zeros |= 1U << (16U + k);
+        }
+    }
+    write_carefully(task, other, q, results);
+    const std::size_t size = task.to == nullptr ? 3 : task.to->size();
+    const bool has_half_turns =
+        task.to != nullptr && (task.to->name == RepresentationId::euler || task.to->name == RepresentationId::rpy);
+    for (unsigned k = 0; k < size; ++k) {
+        const auto beyond = [&](double sign) {
+            return results[k] + scaled(Wide::half_turn(task.to->unit == AngleUnit::degrees), sign);
+        };
+        if (results[k].is_below(least) ||
+            (has_half_turns && (beyond(1.0).is_below(least) || beyond(-1.0).is_below(least)))) {
+            zeros |= 1U << k;
+        }
+    }
+    return zeros;
+}
+
+/// Calls use(other row) of stand-ins, and with bits enough.
+template <class Use>
+auto with_stand_ins(const CarefulTask& task, const CarefulRow& row, double step, const Use& use) noexcept {
+    const Wide::Bits enough(640);
+    double first[most_numbers];
+    double second[most_numbers];
+    take_stand_ins({task.first, row.first, step}, 0, first);
+    if (row.second != nullptr) {
+        take_stand_ins({task.second, row.second, step}, 9, second);
+    }
+    return use(CarefulRow{first, row.second == nullptr ? nullptr : second});
+}
+ROTCONV_NOINLINE inline std::uint32_t find_zeros(const CarefulTask& task, const CarefulRow& row, double step) noexcept {
+    return with_stand_ins(task, row, step, [&](const CarefulRow& other) {
+        Careful results[most_numbers];
+        return zeros_of_stand_ins(task, other, results);
+    });
+}
+
+/// The same, from the table.
+inline std::uint32_t known_zeros(const CarefulTask& task, const CarefulRow& row, std::uint64_t pattern,
+                                 double step) noexcept {
+    if (task.zeros == nullptr) {
+        return find_zeros(task, row, step);
+    }
+    std::uint64_t* const entry = task.zeros->entries + ((pattern * 0x9e3779b97f4a7c15U) >> 32U) % ZeroTable::size;
+    const std::uint64_t found = __atomic_load_n(entry, __ATOMIC_RELAXED);
+    if ((found & 1U) != 0 && found >> 20U == pattern) {
+        return static_cast<std::uint32_t>((found >> 1U & 0x1ffU) | (found >> 10U & 0xfU) << 16U);
+    }
+    const std::uint64_t zeros = find_zeros(task, row, step);
+    __atomic_store_n(entry, pattern << 20U | (zeros >> 16U) << 10U | (zeros & 0x1ffU) << 1U | 1U, __ATOMIC_RELAXED);
+    return static_cast<std::uint32_t>(zeros);
+}
+
+/// Whether what these bits stand for is 0: in all rows of the wider pattern, in which there are fewer of them to know,
+/// or in those of the narrower one. Numbers of angles that are all multiples of 15 degrees are algebraic, of a degree
+/// of 8 at most: what is below 2^-66, as `are_small` says, is 0.
+inline bool are_zeros(const CarefulTask& task, const CarefulRow& row, std::uint64_t bits, bool are_small) noexcept {
+    if (bits == 0) {
+        return true;
+    }
+    bool all_known = false;
+    const std::uint64_t narrow = zero_pattern(task, row, 15.0, all_known);
+    if (all_known && are_small) {
+        return true;
+    }
+    const bool has_angles =
+        task.first->unit == AngleUnit::degrees || (task.second != nullptr && task.second->unit == AngleUnit::degrees);
+    const std::uint64_t wide = has_angles ? zero_pattern(task, row, 90.0, all_known) : narrow;
+    return (bits & ~static_cast<std::uint64_t>(known_zeros(task, row, wide, 90.0))) == 0 ||
+           (narrow != wide && (bits & ~static_cast<std::uint64_t>(known_zeros(task, row, narrow, 15.0))) == 0);
+}
+
+// Angles in degrees that are sums of those given, and of a multiple of 15 degrees, are often at the midpoint of two
+// doubles, of which no number of bits tells. Whether they are such sums is told as zeros are.
+
+/// One or two of the angles, each as it is or negative, and 15 degrees times so much less whole half-turns.
+struct AngleSum {
+    unsigned code; ///< 0: there is none
+
+    static constexpr unsigned most_angles = 15; ///< 2 of each, and so much of a code
+    static constexpr unsigned base = 2 * most_angles;
+    template <class T> [[nodiscard]] T of(const double* angles) const noexcept {
+        const auto angle = [&](unsigned which) { return T(which % 2 == 0 ? angles[which / 2] : -angles[which / 2]); };
+        const unsigned first = (code - 1) % base;
+        const unsigned second = (code - 1) / base % base;
+        return first == second ? angle(first) : angle(first) + angle(second);
+    }
+    [[nodiscard]] double constant() const noexcept {
+        const unsigned multiple = (code - 1) / (base * base);
+        return 15.0 * multiple;
+    }
+};
+
+/// The angles of a row and of the fixed rotations; how many there are.
+inline unsigned angles_in_degrees(const CarefulTask& task, const CarefulRow& row,
+                                  double (&angles)[AngleSum::most_angles]) noexcept {
+    unsigned count = 0;
+    const auto add = [&](const Spec* spec, const double* numbers) {
+        for (std::size_t k = 0; spec != nullptr && k < spec->size() && count < AngleSum::most_angles; ++k) {
+            if (is_angle_in_degrees(spec, numbers, k)) {
+                angles[count++] = numbers[k];
+            }
+        }
+    };
+    add(task.first, row.first);
+    add(task.second, row.second);
+    const FixedRotations& fixed = *task.fixed;
+    for (std::size_t k = 0; k < (fixed.has_left ? fixed.left_count : 0); ++k) {
+        add(&fixed.left_factors[k].spec, fixed.left_factors[k].numbers);
+    }
+    for (std::size_t k = 0; k < (fixed.has_right ? fixed.right_count : 0); ++k) {
+        add(&fixed.right_factors[k].spec, fixed.right_factors[k].numbers);
+    }
+    return count;
+}
+
+/// The sum that the number k is, in all rows of the row's pattern, to whole half-turns and the sign of a middle angle.
+ROTCONV_NOINLINE inline AngleSum find_sum(const CarefulTask& task, const CarefulRow& row, unsigned k) noexcept {
+    return with_stand_ins(task, row, 90.0, [&](const CarefulRow& other) {
+        Careful results[most_numbers];
+        double angles[AngleSum::most_angles];
+        zeros_of_stand_ins(task, other, results);
+        const unsigned count = 2 * angles_in_degrees(task, other, angles);
+        for (unsigned a = 0; a < count; ++a) {
+            for (unsigned b = a; b < count; ++b) {
+                const AngleSum sum{1 + a + AngleSum::base * b};
+                const Careful rest = results[k] - sum.of<Careful>(angles);
+                const double fifteens = __builtin_floor(rest.rounded() / 15.0 + 0.5);
+                if ((rest - Careful(15.0 * fifteens)).is_below(least)) {
+                    const auto whole = static_cast<unsigned>(static_cast<int>(fifteens) + 12 * 64) % 12;
+                    return AngleSum{sum.code + AngleSum::base * AngleSum::base * whole};
+                }
+            }
+        }
+        return AngleSum{0};
+    });
+}
+
+/// Replaces the angle k, which is near the number, by the sum that it is, rounded once; false where it is none.
+inline bool round_sum(const CarefulTask& task, const CarefulRow& row, unsigned k, double& number,
+                      double* rest) noexcept {
+    double angles[AngleSum::most_angles];
+    if (task.zeros == nullptr || task.to == nullptr || task.to->unit != AngleUnit::degrees ||
+        angles_in_degrees(task, row, angles) == 0 || __builtin_fabs(number) < 1e-6) {
+        return false;
+    }
+    bool all_known = false;
+    const std::uint64_t pattern = zero_pattern(task, row, 90.0, all_known) << 2U | k;
+    std::uint64_t* const entry = task.zeros->sums + ((pattern * 0x9e3779b97f4a7c15U) >> 32U) % ZeroTable::size;
+    std::uint64_t found = __atomic_load_n(entry, __ATOMIC_RELAXED);
+    if ((found & 1U) == 0 || found >> 15U != pattern) {
+        found = pattern << 15U | static_cast<std::uint64_t>(find_sum(task, row, k).code) << 1U | 1U;
+        __atomic_store_n(entry, found, __ATOMIC_RELAXED);
+    }
+    const AngleSum sum{static_cast<unsigned>(found >> 1U & 0x3fffU)};
+    if (sum.code == 0) {
+        return false;
+    }
+    const Wide::Bits enough(1280);
+    const Careful own = sum.of<Careful>(angles) + Careful(sum.constant());
+    int fits = 0;
+    double nearest = number;
+    for (const double sign : {1.0, -1.0}) { // of a middle angle its supplement, too
+        const double near = sign * own.rounded();
+        const double turns = __builtin_floor((number - near) / 180.0 + 0.5);
+        if ((k == 1 || sign > 0.0) && __builtin_fabs(near + 180.0 * turns - number) < 1e-6) {
+            const Careful angle = scaled(own, sign) + Careful(180.0 * turns);
+            const bool decided = angle.round(nearest);
+            *rest = (angle - Careful(nearest)).rounded();
+            fits += decided ? 1 : 2;
+        }
+    }
+    const bool is_end = nearest <= -180.0 || nearest >= 360.0; // which means another number
+    number = fits == 1 && !is_end ? nearest : number;
+    return fits == 1 && !is_end;
+}
+
+/// A row with as many bits as it takes, to numbers, to what they leave, which may be null, and to the attitude.
+ROTCONV_NOINLINE inline DiagnosticSet answer_carefully(const CarefulTask& task, const CarefulRow& row, double* numbers,
+                                                       double* rest, std::size_t place,
+                                                       AttitudeBatch<double>& attitudes) noexcept {
+    DiagnosticSet diagnostics;
+    const auto is_zero = [&](const CarefulTask& which, unsigned bit) {
+        return are_zeros(which, row, std::uint64_t{1} << bit, false);
+    };
+    with_enough_bits([&] {
+        Careful q[4];
+        Careful results[most_numbers];
+        read_carefully(task, row, q);
+        for (unsigned k = 0; k < 4; ++k) {
+            if (q[k].may_be_zero() && is_zero(task, 16 + k)) {
+                q[k] = 0.0;
+            }
+        }
+        set_rounded(q, place, attitudes);
+        diagnostics = write_carefully(task, row, q, results);
+        const CarefulTask own = at_lock(task, diagnostics, results[1].rounded());
+        bool decided = true;
+        const std::size_t size = task.to == nullptr ? 3 : task.to->size();
+        for (unsigned k = 0; k < size; ++k) {
+            if (results[k].may_be_zero() && is_zero(own, k)) {
+                results[k] = 0.0;
+            }
+            decided = results[k].round(numbers[k]) && decided;
+            if (rest != nullptr) {
+                const bool is_finite = __builtin_fabs(numbers[k]) < __builtin_inf();
+                rest[k] = is_finite ? (results[k] - Careful(numbers[k])).rounded() : 0.0;
+            }
+        }
+        return decided;
+    });
+    return diagnostics;
+}
+
+/// Whether a row of the batch kernels is decided: of its numbers only those are in doubt, see doubt_of(), that are
+/// exactly 0, or a sum, which they become.
+inline bool settle(const CarefulTask& general, const CarefulRow& row, DiagnosticSet diagnostics, std::uint64_t doubts,
+                   double* numbers, double* rest) noexcept {
+    const CarefulTask task = at_lock(general, diagnostics, numbers[1]);
+    constexpr std::uint64_t about_zeros = other_doubt - 1;
+    if ((doubts & other_doubt) != 0 || !are_zeros(task, row, doubts & about_zeros, true)) {
+        return false;
+    }
+    for (unsigned k = 0; k < most_numbers; ++k) {
+        double left = 0.0;
+        if ((doubts >> (32U + k) & 1U) != 0 &&
+            !round_sum(task, row, k, numbers[k], rest == nullptr ? &left : rest + k)) {
+            return false;
+        }
+    }
+    for (std::size_t k = 0; k < most_numbers; ++k) {
+        if ((doubts >> k & 1U) != 0) {
+            numbers[k] = 0.0;
+            if (rest != nullptr) {
+                rest[k] = 0.0;
+            }
+        }
+    }
+    if (task.to != nullptr && task.to->name == RepresentationId::quat) {
+        const double sign = canonical_sign<double>({numbers[0], numbers[1], numbers[2], numbers[3]});
+        for (std::size_t k = 0; k < 4; ++k) {
+            numbers[k] *= sign;
+        }
+    }
+    return true;
+}
+
+} // namespace ROTCONV_TARGET
+} // namespace rotconv

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <rotconv/continuous.hpp>
+#include <rotconv/conversion.hpp>
+
+#include "../numbers/fmt.hpp"
+
+namespace rotconv::stream {
+
+/// The numbers that an operation takes of a row.
+struct RowNumbers {
+    std::vector<std::string> names{}; ///< the numbers' names; empty: not yet known
+    std::optional<Spec> attitude{};   ///< the first numbers after the kept ones, if they are an attitude
+    std::optional<Spec> second{};     ///< the last numbers, if they are an attitude too
+    std::size_t kept = 0;  ///< how many of the first are also written unchanged: a time or a key, which may be ISO 8601
+    bool has_unit = false; ///< the kept ones are numbers in a unit, and ISO 8601 is an error
+};
+
+/// Where a key is between those of two rows of a reference, which may be one row, with that key.
+struct Between {
+    std::size_t earlier = 0; ///< their indices among NumberRows::neighbours
+    std::size_t later = 0;
+    double fraction = 0.0; ///< from 0 to 1
+
+    [[nodiscard]] bool is_at_row() const noexcept { return earlier == later; }
+};
+
+/// Rows that have their numbers, in the order of the stream.
+struct NumberRows {
+    std::span<const double> numbers;                ///< row by row, without the kept ones
+    std::span<const std::size_t> lines;             ///< the rows' lines
+    std::span<const double> kept{};                 ///< the kept numbers, row by row
+    std::span<const std::string_view> keys{};       ///< their texts; empty if rows are doubles
+    std::span<const std::size_t> reference_lines{}; ///< the partners' lines; empty without a reference
+    std::span<const double> neighbours{};           ///< the rows of a reference that is interpolated, each once
+    std::span<const Between> between{};             ///< where each row is among them
+    bool are_last = true;                           ///< no row may wait for later rows
+};
+
+/// Grows without setting its new elements, which are then read into.
+using Numbers = fmt::basic_memory_buffer<double, 64>;
+
+/// Memory for rows that have their numbers, see NumberRows.
+struct HeldRows {
+    Numbers numbers;
+    std::vector<std::size_t> lines;
+    Numbers kept;
+    std::vector<std::string_view> keys; ///< views into the block's text
+    std::vector<std::size_t> reference_lines;
+    Numbers neighbours;
+    std::vector<Between> between;
+
+    [[nodiscard]] NumberRows view() const noexcept {
+        return {numbers, lines, kept, keys, reference_lines, neighbours, between};
+    }
+};
+
+/// Calls `what` once all blocks before have come to their call of it; each block does so once.
+/// @return false if the run is over: nothing was done and nothing is to be written
+using Ordered = std::function<bool(const std::function<void()>& what)>;
+
+/// Answers rows: writes the numbers of each, and sets `reports` to those of the remarkable rows, in their order. If
+/// results depend on later rows, only the first rows are answered, as many as can be, or all with `rows.are_last`; the
+/// others come first in the next call. `rest`: see Conversion::run(); empty if it is not needed.
+/// @return how many rows are answered
+using RowFunction = std::function<std::size_t(const NumberRows& rows, std::span<double> out,
+                                              std::vector<RowReport>& reports, std::span<double> rest)>;
+
+/// A part of a result: the numbers of an attitude, or others.
+struct ResultPart {
+    std::vector<std::string> names{};
+    std::optional<Spec> attitude{};
+    RowFunction function{};
+    std::shared_ptr<ContinuousNumbers> follows{}; ///< makes the numbers continuous, for all threads; null: nothing does
+    // Of the rows at hand, reused:
+    std::vector<double> out{};
+    std::vector<double> rest{};
+    std::vector<RowReport> reports{};
+};
+
+/// Computes results from the numbers of rows. A copy for another thread has copies of the functions and their memory.
+struct RowOperation {
+    RowNumbers input{};
+    std::vector<ResultPart> parts{};
+    bool keeps_names = false; ///< the result has the names of the last selected columns, if the input has names
+    bool in_order = false;    ///< rows must come in their order; otherwise each copy may answer any rows
+    std::string_view unit{};  ///< the unit of angles beyond a limit
+    /// Seconds between the first two times, if the times are numbers, and the line of the second; may be null.
+    std::shared_ptr<const std::pair<double, std::size_t>> first_step{};
+
+    /// How many numbers a result has.
+    [[nodiscard]] std::size_t width() const noexcept;
+    [[nodiscard]] std::vector<std::string> names() const;
+    /// Whether results follow each other, by `ordered` of run().
+    [[nodiscard]] bool is_continuous() const noexcept;
+
+    /// Answers rows with all parts, see RowFunction. Of several parts a row has the diagnostics of all, the smallest
+    /// margin and the largest condition.
+    std::size_t run(const NumberRows& rows, std::span<double> out, std::vector<RowReport>& reports,
+                    const Ordered& ordered = {});
+};
+
+/// The report on the row among reports in the order of the rows; an empty one is added if there is none.
+[[nodiscard]] RowReport& report_of(std::size_t row, std::vector<RowReport>& reports);
+
+/// Rows that were answered together, and their results, of the operation's width() numbers each, nan if the row's
+/// report has an error.
+struct AnsweredRows : HeldRows {
+    std::vector<double> results;
+    std::vector<RowReport> reports;
+};
+
+/// Collects something from all rows of a run. The caller owns it, and reads it after the run.
+class Fold {
+public:
+    Fold() = default;
+    Fold(const Fold&) = delete;
+    Fold& operator=(const Fold&) = delete;
+    virtual ~Fold() = default;
+
+    /// Called with all rows that have numbers, in the order of the stream, by one thread at a time.
+    virtual void add(const AnsweredRows& rows) = 0;
+};
+
+} // namespace rotconv::stream

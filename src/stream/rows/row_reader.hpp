@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "../event.hpp"
+#include "../options.hpp"
+#include "layout.hpp"
+
+namespace rotconv::stream {
+
+/// What was read of the rows of a batch, one after the other.
+struct RowParts : HeldRows {
+    std::vector<std::string_view> fields; ///< of the rows whose fields were looked for
+    RowError error;                       ///< of the row that failed last, without its line
+
+    void clear() noexcept {
+        fields.clear();
+        numbers.clear();
+        lines.clear();
+        kept.clear();
+        keys.clear();
+        reference_lines.clear();
+        neighbours.clear();
+        between.clear();
+    }
+    /// Moves the number of that index to the kept ones.
+    void keep(std::size_t index) {
+        kept.push_back(numbers[index]);
+        for (; index + 1 < numbers.size(); ++index) { // quicker than std::copy, for so few
+            numbers[index] = numbers[index + 1];
+        }
+        numbers.resize(index);
+    }
+};
+
+/// A row that was not split into fields.
+struct ScannedRow {
+    Line line;
+    std::string_view numbers; ///< the part of the line that they are
+};
+
+/// Reads the numbers of a row.
+class RowReader {
+public:
+    /// @param by_key of rows that are scanned the kept number is a key, and only its text is read
+    RowReader(const InputOptions& options, const Layout& layout, bool by_key = false)
+        : options_(&options), layout_(&layout), by_key_(by_key) {}
+
+    /// From here on rows of another width are errors, unless the options take them.
+    void expect(const RowWidth& width) noexcept { width_ = options_->ragged ? RowWidth() : width; }
+
+    /// Adds what is read of the row that begins the text, but not its fields, in one scan, if it is of doubles, or as
+    /// most are: the numbers stand side by side without blanks around them, and it has no quotes.
+    /// @return nothing, and nothing is added, for any other row
+    [[nodiscard]] std::optional<ScannedRow> scan(std::string_view text, RowParts& to) const;
+    /// Adds what is read of a row of text, and its fields.
+    /// @return false where `to.error` says why there are no numbers; fields and numbers may be there
+    [[nodiscard]] bool read(std::string_view row, RowParts& to) const;
+    /// The text of the first number of a row of text, which is a key; nothing where `to.error` says why.
+    [[nodiscard]] std::optional<std::string_view> key(std::string_view row, RowParts& to) const;
+    /// A key as it is compared.
+    [[nodiscard]] ReadKey key_of(std::string_view text) const;
+    /// The fields that hold the numbers, with the delimiter between them.
+    [[nodiscard]] std::string selected_text(std::string_view row) const;
+
+private:
+    /// Adds the row's fields; false, with an error, where not all of those needed are there.
+    [[nodiscard]] bool split(std::string_view row, std::span<const std::size_t> needed, RowParts& to) const;
+    void add_doubles(std::string_view row, Numbers& numbers) const;
+
+    const InputOptions* options_;
+    const Layout* layout_;
+    bool by_key_;
+    RowWidth width_{};
+};
+
+} // namespace rotconv::stream
