@@ -55,7 +55,7 @@ void check(const CommandOptions& operands, std::size_t most_files) {
                         messages::meaning_of_word(file))
                 .with(messages::meant_by_operand(operands, operands.file_words[at].word),
                       messages::is_spec(file) ? fmt::format("; if it is a SPEC: -f {0} or -t {0}", file)
-                                              : messages::mend(file));
+                                              : messages::fix_hint(file));
         }
     }
     const std::string file = operands.files.empty() ? "" : "the FILE " + quoted(operands.files[0]);

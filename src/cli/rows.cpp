@@ -186,7 +186,7 @@ private:
         if (command_->options.on_error == stream::OnError::stop && may_be_advised(error)) {
             last_error_ = error; // told after the run, in which the input may be read at the same time
         } else {
-            tell(error.place, in_words(error) + (command_->has_values ? messages::mend(error) : ""));
+            tell(error.place, in_words(error) + (command_->has_values ? messages::fix_hint(error) : ""));
         }
     }
     void add(const stream::Diagnostic& diagnostic) {

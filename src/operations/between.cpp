@@ -30,13 +30,13 @@ public:
 
 private:
     /// The quaternion at the place; the identity if there is none.
-    [[nodiscard]] std::array<double, 4> attitude_at(std::size_t row, const stream::Between& place,
+    [[nodiscard]] std::array<double, 4> attitude_at(std::size_t row, const stream::InterpolatedPair& place,
                                                     std::vector<RowReport>& reports) const;
     /// Adds to the report on a row what is to be told of its neighbours.
-    void add_neighbours(std::size_t row, const stream::Between& place, std::vector<RowReport>& reports) const;
+    void add_neighbours(std::size_t row, const stream::InterpolatedPair& place, std::vector<RowReport>& reports) const;
 
-    SomeRows at_;
-    SomeRows between_; ///< rows with the quaternion between the neighbours
+    RowSubset at_;
+    RowSubset between_; ///< rows with the quaternion between the neighbours
     std::size_t first_size_;
     Conversion reading_;            ///< reads the neighbours
     std::vector<double> attitudes_; ///< the neighbours as quaternions
@@ -53,8 +53,8 @@ std::size_t BetweenRows::operator()(const stream::NumberRows& pairs, std::span<d
     between_.clear();
     reports.clear();
     for (std::size_t i = 0; i < count; ++i) {
-        const stream::Between& row = pairs.between[i];
-        SomeRows& some = row.is_at_row() ? at_ : between_;
+        const stream::InterpolatedPair& row = pairs.between[i];
+        RowSubset& some = row.is_at_row() ? at_ : between_;
         some.rows.push_back(i);
         append(some.numbers, pairs.numbers.subspan(i * first_size_, first_size_));
         if (row.is_at_row()) {
@@ -64,7 +64,7 @@ std::size_t BetweenRows::operator()(const stream::NumberRows& pairs, std::span<d
         }
     }
     const std::size_t size = out.size() / std::max<std::size_t>(count, 1);
-    for (SomeRows* some : {&at_, &between_}) {
+    for (RowSubset* some : {&at_, &between_}) {
         some->run(size, out, size, rest);
         for (const RowReport& report : some->reports) { // the row's own error comes before those of the neighbours
             RowReport& found = stream::report_of(report.row, reports);
@@ -84,7 +84,7 @@ std::size_t BetweenRows::operator()(const stream::NumberRows& pairs, std::span<d
     return count;
 }
 
-std::array<double, 4> BetweenRows::attitude_at(std::size_t row, const stream::Between& place,
+std::array<double, 4> BetweenRows::attitude_at(std::size_t row, const stream::InterpolatedPair& place,
                                                std::vector<RowReport>& reports) const {
     const Rotation earlier = rotation_at(attitudes_.data() + 4 * place.earlier);
     const Rotation later = rotation_at(attitudes_.data() + 4 * place.later);
@@ -98,7 +98,8 @@ std::array<double, 4> BetweenRows::attitude_at(std::size_t row, const stream::Be
     return found.value_or(Rotation()).components();
 }
 
-void BetweenRows::add_neighbours(std::size_t row, const stream::Between& place, std::vector<RowReport>& reports) const {
+void BetweenRows::add_neighbours(std::size_t row, const stream::InterpolatedPair& place,
+                                 std::vector<RowReport>& reports) const {
     const std::array neighbours{place.earlier, place.later};
     for (std::size_t k = 0; k < neighbours.size(); ++k) {
         const auto report = std::ranges::lower_bound(neighbour_reports_, neighbours.at(k), {}, &RowReport::row);
@@ -123,7 +124,7 @@ RowFunction of_pairs(RowFunction at, RowFunction between, const PairedRows& rows
                              : at;
 }
 
-void SomeRows::run(std::size_t size, std::span<double> to, std::size_t width, std::span<double> rest) {
+void RowSubset::run(std::size_t size, std::span<double> to, std::size_t width, std::span<double> rest) {
     out.resize(rows.size() * size);
     out_rest.resize(rest.empty() ? 0 : out.size());
     function({numbers, {}}, out, reports, out_rest);

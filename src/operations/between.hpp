@@ -27,8 +27,8 @@ inline void append(std::vector<double>& to, std::span<const double> numbers) {
                                    const Spec& second, const ConversionSettings& settings);
 
 /// A function of some of the rows at hand.
-struct SomeRows {
-    explicit SomeRows(RowFunction of_pairs) : function(std::move(of_pairs)) {}
+struct RowSubset {
+    explicit RowSubset(RowFunction of_pairs) : function(std::move(of_pairs)) {}
 
     void clear() noexcept {
         rows.clear();

@@ -63,7 +63,7 @@ private:
     using Pair = std::array<Rotation, 2>;
 
     std::size_t delta_;
-    SomeRows rotations_;
+    RowSubset rotations_;
     std::deque<Pair> kept_; ///< at most N, the oldest first
 };
 

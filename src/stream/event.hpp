@@ -143,7 +143,7 @@ struct Output {
 };
 
 /// The keys of two streams, of which some may have been too far apart to be paired.
-struct KeysMet {
+struct PairingStats {
     /// The first and the last key of a stream that may be paired.
     struct Range {
         Key first, last;

@@ -119,7 +119,7 @@ public:
     [[nodiscard]] virtual RowWidth width() const { return {}; }
     /// The rows without a partner, by Side.
     [[nodiscard]] virtual std::array<Unpaired, 2> unpaired() const { return {}; }
-    [[nodiscard]] virtual KeysMet keys() const { return {}; }
+    [[nodiscard]] virtual PairingStats keys() const { return {}; }
 };
 
 } // namespace rotconv::stream

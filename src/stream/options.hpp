@@ -33,7 +33,7 @@ enum class Format : std::uint8_t { csv, json, pretty, f64 };
 enum class OnError : std::uint8_t { stop, nan, skip };
 
 /// What the input says of its numbers: one of these at a time.
-struct Said {
+struct HeaderFacts {
     std::vector<std::string> names{};  ///< the selected columns' names in the header, as they are selected
     std::vector<std::string> header{}; ///< all names of the header
     std::vector<std::string> units{};  ///< the selected columns' units, if a line below the header has them
@@ -66,7 +66,7 @@ struct InputOptions { // NOLINT(*.Padding): one a run, in the order of its reade
     /// are not yet known.
     std::function<std::variant<std::size_t, std::string>(std::size_t fields)> take_count{};
     /// Returns the notes on the header, or on comments of a stream without a row.
-    std::function<std::vector<Note>(const Said& said)> notes_of{};
+    std::function<std::vector<Note>(const HeaderFacts& said)> notes_of{};
     /// Given the names of the selected columns, says where the numbers are among them.
     std::function<std::vector<std::size_t>(const std::vector<std::string>& names)> order_of{};
     /// Given the names of all columns, says which are those of the numbers; null if columns are read as they stand.

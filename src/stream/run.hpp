@@ -20,7 +20,7 @@ struct RunResult {
     std::size_t rows = 0;                 ///< data rows of the stream, paired or not
     std::size_t answered = 0;             ///< data rows that have a result
     std::array<Unpaired, 2> unpaired{};   ///< by Side
-    KeysMet keys{};                       ///< the keys by which rows were paired
+    PairingStats keys{};                  ///< the keys by which rows were paired
     std::vector<std::size_t> positions{}; ///< the fields that hold the numbers, from 0; empty: all do
 };
 

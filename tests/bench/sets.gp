@@ -11,7 +11,7 @@ fails = "#6f6f6f"
 high = 380
 row(p) = 106 + 36 * (p - 1)
 place(k) = 316 + 52 * (k - 1)
-heading = "No more than the scene needs: which sets serve which motion"
+heading = "The smallest set that serves: which sets serve which motion"
 eval begin("sets")
 unset border
 unset tics

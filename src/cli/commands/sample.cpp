@@ -89,7 +89,7 @@ private:
     Option kind{"--kind", "KIND", "Kinds, with commas between, that take turns (default: the first six)"};
     Option rows{"--rows", "N", "Rows to write (default 1000)"};
     Option seed{"--seed", "S", "Other rows for another whole number (default 0)"};
-    Option noise{"--noise", "E", "The most by which numbers of noise are off, to 0.5 (default 5e-4)"};
+    Option noise{"--noise", "E", "Largest error of a number in noise rows, at most 0.5 (default 5e-4)"};
 };
 
 } // namespace

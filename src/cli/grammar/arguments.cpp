@@ -20,7 +20,7 @@ namespace {
     error.text = read.row;
     throw Usage("{}: {}{}", option.name(),
                 messages::explain(error, messages::subject_of({.attitude = read.spec}, tolerance)),
-                messages::mend(error));
+                messages::fix_hint(error));
 }
 
 Spec spec_of(const Option& option, const std::string& text, bool degrees) {

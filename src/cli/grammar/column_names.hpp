@@ -47,7 +47,7 @@ struct Part {
     std::optional<Spec> attitude{};
     bool is_kept = false; ///< a time or a key
 
-    /// Its own among what stands for each number of a row.
+    /// This part's slice of a list with an entry for each number of a row.
     [[nodiscard]] std::span<const std::string> of(std::span<const std::string> row) const {
         return row.subspan(begin, names.size());
     }

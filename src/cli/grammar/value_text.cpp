@@ -264,7 +264,7 @@ private:
         const auto place = tokens_.begin() + (&token - tokens_.data());
         const bool any_before = std::any_of(tokens_.begin(), place, has_number);
         const bool any_after = std::any_of(place + 1, tokens_.end(), has_number);
-        const std::string mended = why.empty() ? messages::mend(token.text) : fmt::format("; {}", why);
+        const std::string mended = why.empty() ? messages::fix_hint(token.text) : fmt::format("; {}", why);
         throw Usage("argument: not understood {} the numbers: {}{}",
                     any_before && any_after ? "between"
                     : any_before            ? "after"

@@ -40,7 +40,7 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
 }
 
 /// The legal word that is written alike, or at most two letters away (one, below five letters); perhaps none.
-Words nearest(std::string_view text, const Legal& legal) {
+Words choose_nearest(std::string_view text, const Legal& legal) {
     Words best;
     const std::string word = lower(without_marks(text));
     std::size_t least = word.size() < 5 ? 2 : 3;
@@ -162,7 +162,7 @@ Words meant(std::string_view word, const Legal& legal) {
     if (!texts.empty()) {
         return texts;
     }
-    return nearest(word, legal);
+    return choose_nearest(word, legal);
 }
 
 /// A SPEC with a modifier, which may also be its sequence, or the case of its letters: upper, lower.
@@ -376,7 +376,7 @@ bool is_preset(std::string_view word) { return std::ranges::count(presets(), wor
 
 Usage no_such_word(std::string_view what, const Option& option, std::string_view text, const Legal& legal) {
     std::vector<Mend> mends;
-    for (const std::string& word : nearest(text, legal)) {
+    for (const std::string& word : choose_nearest(text, legal)) {
         std::string argument = option.text();
         argument.replace(argument.find(text), text.size(), word);
         mends.push_back({{{option.place, 1, {argument}}}});
@@ -403,7 +403,7 @@ Usage no_such_option(const OptionSet& options) {
         });
         const Words near = begun.size() == 1  ? Words{std::string(begun[0])}
                            : is_command(bare) ? Words{bare}
-                                              : nearest(name, names);
+                                              : choose_nearest(name, names);
         const Words first = begun.size() == 1 ? near : meant(others.empty() && bare.size() == 1 ? bare : name, names);
         for (const Words& texts : {first, near}) {
             for (const std::string& each : mends.empty() ? texts : Words()) {
@@ -428,7 +428,7 @@ Usage no_such_method(RepresentationId from, RepresentationId to, const Option& o
     }
     said += fmt::format(" is not a known method from {}; legal:\n  {:<18} {}", pair, default_method, every_input);
     std::vector<Mend> mends;
-    for (const std::string& name : nearest(option.text(), mapped(rows, &Method::name))) {
+    for (const std::string& name : choose_nearest(option.text(), mapped(rows, &Method::name))) {
         mends.push_back({{OptionSet::changing(option, name)}});
     }
     for (const Method& method : rows) {
@@ -536,7 +536,7 @@ Usage no_such_spec(const Option& option, const std::string& item, const SpecErro
     return usage;
 }
 
-std::string mend(std::string_view text) {
+std::string fix_hint(std::string_view text) {
     constexpr std::string_view of_numbers = "0123456789+-.*/,; \t\r\n[](){}<>";
     if (text.find('\\') != std::string_view::npos) { // of DICOM
         return "; write blanks for backslashes";
@@ -562,10 +562,10 @@ std::string mend(std::string_view text) {
                : "";
 }
 
-std::string mend(const stream::RowError& error) {
+std::string fix_hint(const stream::RowError& error) {
     using What = stream::RowError::What;
     const bool is_count = error.what == What::wrong_count;
-    const std::string mended = is_count || error.what == What::not_a_number ? mend(error.text) : "";
+    const std::string mended = is_count || error.what == What::not_a_number ? fix_hint(error.text) : "";
     const bool may_be_decimal = is_count && error.found == 2 * error.expected && !error.text.ends_with(',') &&
                                 error.text.find(',') != std::string::npos && error.text.find('.') == std::string::npos;
     return mended.empty() && may_be_decimal ? "; if these are decimal commas: write points" : mended;

@@ -14,7 +14,7 @@ namespace rotconv::cli::messages {
 namespace {
 
 /// What to write instead of a text that is not read as a key.
-std::string_view mend(stream::KeyError error) {
+std::string_view fix_hint(stream::KeyError error) {
     using enum stream::KeyError;
     switch (error) {
     case none:
@@ -124,7 +124,7 @@ std::string after_text(const stream::RowError& error) {
     }
     const bool has_blank = error.what == What::wrong_count && has_blank_in_time(error.text);
     const auto key = has_blank ? stream::KeyError::blank : error.key;
-    return error.what == What::key || has_blank ? fmt::format("; {}", mend(key)) : "";
+    return error.what == What::key || has_blank ? fmt::format("; {}", fix_hint(key)) : "";
 }
 
 } // namespace
@@ -213,7 +213,7 @@ std::string explain(const stream::ColumnError& error, std::string_view subject) 
     return {};
 }
 
-std::string few_keys_met(const stream::KeysMet& keys) {
+std::string few_keys_met(const stream::PairingStats& keys) {
     const std::string within = keys.within.text();
     const std::string_view few = keys.any_pair ? "fewer than half of FILE's keys are" : "no key of FILE is";
     std::string text = keys.interpolates ? fmt::format("{} between two of REFERENCE at most {} apart", few, within)
@@ -228,10 +228,10 @@ std::string few_keys_met(const stream::KeysMet& keys) {
         return text + mend;
     }
     const auto& [own, reference] = std::pair(*keys.ranges[0], *keys.ranges[1]);
-    const auto size_of = [](const stream::KeysMet::Range& range) {
+    const auto size_of = [](const stream::PairingStats::Range& range) {
         return std::max(std::abs(range.first.rounded()), std::abs(range.last.rounded()));
     };
-    const auto span_of = [&size_of](const stream::KeysMet::Range& range) {
+    const auto span_of = [&size_of](const stream::PairingStats::Range& range) {
         return range.first < range.last ? distance(range.first, range.last).rounded() : size_of(range);
     };
     const double span = span_of(own);

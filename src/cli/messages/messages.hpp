@@ -58,7 +58,7 @@ struct Subject {
 inline constexpr std::string_view nothing_read = "there was no row with an attitude";
 
 /// For a run in which rows were to be paired by key, and most were not.
-[[nodiscard]] std::string few_keys_met(const stream::KeysMet& keys);
+[[nodiscard]] std::string few_keys_met(const stream::PairingStats& keys);
 
 /// A diagnostic in words, with its figure.
 [[nodiscard]] std::string describe(const stream::Diagnostic& diagnostic);
@@ -89,7 +89,7 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 [[nodiscard]] bool is_verb(std::string_view word);
 
 /// What to write for a VALUE or ATTITUDE that is almost numbers, with "; " in front; or nothing.
-[[nodiscard]] std::string mend(std::string_view text);
-[[nodiscard]] std::string mend(const stream::RowError& error);
+[[nodiscard]] std::string fix_hint(std::string_view text);
+[[nodiscard]] std::string fix_hint(const stream::RowError& error);
 
 } // namespace rotconv::cli::messages

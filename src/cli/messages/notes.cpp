@@ -82,7 +82,7 @@ public:
         return chosen;
     }
 
-    [[nodiscard]] std::vector<stream::Note> on(const stream::Said& said) const {
+    [[nodiscard]] std::vector<stream::Note> on(const stream::HeaderFacts& said) const {
         std::vector<stream::Note> notes;
         if (!said.comment.empty()) {
             notes.push_back(
@@ -245,7 +245,7 @@ void read_names(const RowOptions& options, const Option& time_option, bool names
             return last->second;
         };
     }
-    input.notes_of = [notes](const stream::Said& said) { return notes->on(said); };
+    input.notes_of = [notes](const stream::HeaderFacts& said) { return notes->on(said); };
 }
 
 std::vector<stream::Note> notes_on_options(const RowOptions& options) {

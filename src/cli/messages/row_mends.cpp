@@ -31,7 +31,7 @@ struct Row : stream::HeaderLine {
     bool has_numbers; ///< it is a row, and more than half of its fields are numbers
 };
 
-/// What a command of the shell, which reads stdin, makes of a text.
+/// A shell filter, which reads stdin, and its effect on a text.
 struct Filter {
     std::string_view command;
     char from = '\0'; ///< the character that it replaces

@@ -61,8 +61,7 @@ ROTCONV_INLINE void rotate_vector(const T (&q)[4], const Given<T> (&vector)[3], 
     divide(rotated, squared_norm(q));
 }
 
-/// Lets a rotation that but moves and negates axes do so to matrices, or to those whose inverses it is of. No other
-/// one.
+/// Applies a rotation that only permutes and negates axes exactly, to matrices; otherwise does nothing.
 inline bool move_axes(const Spec& spec, const ExactQuaternion& by, bool from_the_left, bool inverse, const double*& in,
                       std::size_t rows, double* out) noexcept {
     double m[9];
@@ -192,9 +191,9 @@ inline DiagnosticSet write_carefully(const CarefulTask& task, const CarefulRow& 
     }
     Careful vector[3];
     Careful rotated[3];
-    take(row.second, vector);
+    load(row.second, vector);
     rotate_vector(q, vector, rotated);
-    put(rotated, results);
+    store(rotated, results);
     return {};
 }
 

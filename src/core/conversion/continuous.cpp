@@ -12,7 +12,7 @@ namespace rotconv {
 
 ContinuousNumbers::ContinuousNumbers(const Spec& spec) noexcept : spec_(spec), codec_(&codec_of(spec.name)) {}
 
-bool ContinuousNumbers::have_choice() const noexcept { return codec_->nearest != nullptr; }
+bool ContinuousNumbers::have_choice() const noexcept { return codec_->choose_nearest != nullptr; }
 
 void ContinuousNumbers::run(std::span<double> numbers, std::span<const RowReport> reports,
                             std::span<const double> rest) {
@@ -33,8 +33,8 @@ void ContinuousNumbers::run(std::span<double> numbers, std::span<const RowReport
             continue;
         }
         if (has_last_) {
-            codec_->nearest(spec_, last_.data(), diagnostics, rest.empty() ? nothing.data() : &rest[row * size],
-                            own.data());
+            codec_->choose_nearest(spec_, last_.data(), diagnostics, rest.empty() ? nothing.data() : &rest[row * size],
+                                   own.data());
         }
         std::ranges::copy(own, last_.begin());
         has_last_ = true;

@@ -145,7 +145,7 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
     const auto run_batch = [&](const double* numbers, std::size_t rows, double* written, std::size_t first) {
         InputBatch input(from_, numbers, rows, from_.size());
         std::array<DiagnosticSet, batch_rows> diagnostics;
-        if (to_.is_reordered()) { // such a representation has no Codec::nearest, which alone wants `rest`
+        if (to_.is_reordered()) { // such a representation has no Codec::choose_nearest, which alone wants `rest`
             std::array<double, batch_rows * most_numbers> own;
             convert(batch, input.own(), rows, input.attitudes, own.data(), nullptr, diagnostics.data());
             to_written_order(to_, own.data(), rows, written);

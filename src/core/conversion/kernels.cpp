@@ -314,9 +314,9 @@ void rotate(const Spec& spec, ZeroTable* zeros, const double* numbers, const dou
         DoubleDouble rotated[3];
         double vector[3];
         attitudes.get(i, q);
-        take(vectors + 3 * i, vector);
+        load(vectors + 3 * i, vector);
         rotate_vector(q, vector, rotated);
-        put(rotated, out + 3 * i);
+        store(rotated, out + 3 * i);
         const double size = (__builtin_fabs(vector[0]) + __builtin_fabs(vector[1])) + __builtin_fabs(vector[2]);
         for (unsigned k = 0; k < 3; ++k) {
             doubts[i] |= doubt_of(rotated[k], (16.0 * attitudes.off[i] + 0x1p-95) * size, k);
@@ -341,7 +341,7 @@ ROTCONV_NOINLINE Error read_one_carefully(const Spec& spec, const double* number
     if (error == Error::none) {
         Careful careful[4];
         read_carefully(spec, numbers, false, no_rotations, careful);
-        take(careful, q);
+        load(careful, q);
     }
     return error;
 }

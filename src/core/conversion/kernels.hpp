@@ -110,7 +110,7 @@ struct KernelTable {
 /// One row; its defect, up to `reported_defect`, is a bound.
 [[nodiscard]] Reading read_row(const Spec& spec, const double* numbers) noexcept;
 
-/// One row; with a lock margin of 0 nothing is given up to lock. Returns what there is to report of it.
+/// One row; with a lock margin of 0 no angle is set to 0 at gimbal lock. Returns what there is to report of it.
 DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numbers, double lock_margin = 0.0) noexcept;
 
 /// The rotations between attitudes, R_REF' R, each component rounded once: the vector part of equal quaternions is 0.

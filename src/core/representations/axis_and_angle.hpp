@@ -226,7 +226,7 @@ template <class Formula, std::size_t count> struct WrittenByAxis {
         }
         Precise<T> result[size];
         Formula::numbers_of(part.q, part.length, angle, result);
-        put(result, numbers);
+        store(result, numbers);
         return Formula::diagnostics_of(part.q);
     }
 };

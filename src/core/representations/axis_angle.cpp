@@ -35,8 +35,8 @@ namespace rotconv {
 namespace {
 
 /// (n, a) or (-n, -a), and whole turns; without an angle any axis.
-void nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, const double* rest,
-             double* v) noexcept {
+void choose_nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, const double* rest,
+                    double* v) noexcept {
     const DoubleDouble angle = two_sum(v[3], rest[3]);
     if (v[3] == 0.0) {
         std::copy_n(last, 3, v);
@@ -80,6 +80,6 @@ constinit const Codec codecs::axis_angle{.representation = {.name = Representati
                                          .singular_attitude = "a half-turn",
                                          .formula = "R = I + sin(theta) [n] + (1 - cos(theta)) [n]^2",
                                          .sensitivity = sensitivity_of<axis_angle::sensitivity>,
-                                         .nearest = nearest};
+                                         .choose_nearest = choose_nearest};
 
 } // namespace rotconv

@@ -30,7 +30,7 @@ struct Cayley : ReadByFormula<Cayley>, WrittenByFormula<Cayley, 3> {
     /// Infinite with the sign of each component that is not 0, where a quotient is; else 0.
     template <class T, class Number> ROTCONV_INLINE static DiagnosticSet complete(const T (&q)[4], Number* c) noexcept {
         double rounded[3];
-        take(c, rounded);
+        load(c, rounded);
         if (all_finite(rounded, 3)) [[likely]] {
             return {};
         }

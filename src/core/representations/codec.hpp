@@ -43,8 +43,8 @@ struct Codec {
     /// they are as near. All are as they are written: what has a choice has no order of its own that
     /// would count. `rest` is what the exact canonical numbers have beside those written, and the diagnostics are
     /// theirs. Null where there are no others.
-    void (*nearest)(const Spec& spec, const double* last, DiagnosticSet diagnostics, const double* rest,
-                    double* numbers) noexcept = nullptr;
+    void (*choose_nearest)(const Spec& spec, const double* last, DiagnosticSet diagnostics, const double* rest,
+                           double* numbers) noexcept = nullptr;
 
     /// The kinematic equation, both ways; null where there is none.
     void (*rate)(const Spec& spec, const double* numbers, const Eigen::Vector3d& w, Frame frame,

@@ -23,7 +23,7 @@ template <class Formula, std::size_t size> struct ReadByColumns {
     template <class T>
     ROTCONV_INLINE static void find_directions(const double* numbers, T (&first)[3], T (&second)[3]) noexcept {
         T own[size];
-        take(numbers, own);
+        load(numbers, own);
         Formula::directions(own, first, second);
     }
 
@@ -112,7 +112,7 @@ template <class Formula, std::size_t size> struct ReadByColumns {
     }
     static Error read_one(const Spec& /*spec*/, const double* numbers, double (&q)[4], double& defect) noexcept {
         double own[size];
-        take(numbers, own);
+        load(numbers, own);
         if (lacking(own) <= clean_square) {
             quaternion_of(own, q);
             defect = clean_defect;
@@ -120,7 +120,7 @@ template <class Formula, std::size_t size> struct ReadByColumns {
         }
         DoubleDouble exact[4];
         const Error error = read_unclean(own, exact, defect);
-        take(exact, q);
+        load(exact, q);
         return error;
     }
     static void read_carefully(const Spec& /*spec*/, const double* numbers, Careful (&q)[4]) noexcept {

@@ -94,9 +94,9 @@ newton_step(const Base (&m)[9], const Small (&q)[4], const Base (&near)[4], Smal
 /// Any proper matrix of ordinary size, to 106 bits: from a quaternion near its own on, until nothing is left to
 /// correct.
 void refine(const double* numbers, const double (&start)[4], DoubleDouble (&q)[4]) noexcept {
-    take(start, q);
+    load(start, q);
     double m[9];
-    take(numbers, m);
+    load(numbers, m);
     const PowerOfTwo to_unit = PowerOfTwo::to_unit(
         larger_of(largest_magnitude(m[0], m[1], m[2], m[3], m[4]), largest_magnitude(m[5], m[6], m[7], m[8])));
     for (double& entry : m) {
@@ -121,9 +121,9 @@ void refine(const double* numbers, const double (&start)[4], DoubleDouble (&q)[4
 /// Any proper matrix. Each step squares the error, so that the last one, of which nothing is left beside the bits, is
 /// more than what is left.
 void refine(const double* numbers, const double (&start)[4], Careful (&q)[4]) noexcept {
-    take(start, q);
+    load(start, q);
     Careful m[9];
-    take(numbers, m);
+    load(numbers, m);
     int exponent = m[0].exponent();
     for (const Careful& entry : m) {
         exponent = entry.exponent() > exponent ? entry.exponent() : exponent;
@@ -192,7 +192,7 @@ struct Matrix : WrittenByFormula<Matrix, 9> {
     /// Any matrix, in double. `square`: its squared distance.
     static Error read_in_double(const double* numbers, double (&q)[4], double& defect, double& square) noexcept {
         double m[9];
-        take(numbers, m);
+        load(numbers, m);
         defect = clean_defect;
         square = read_clean(m, q);
         return square <= clean_square ? Error::none : read_unclean_matrix(m, square, q, defect);
@@ -204,7 +204,7 @@ struct Matrix : WrittenByFormula<Matrix, 9> {
         if (is_far(square) && error == Error::none) [[unlikely]] {
             DoubleDouble exact[4];
             refine(numbers, q, exact);
-            take(exact, q);
+            load(exact, q);
         }
         return error;
     }

@@ -154,7 +154,8 @@ struct Triple {
     double distance = 0.0;              ///< to the last numbers, squared
 };
 
-void nearest(const Spec& spec, const double* last, DiagnosticSet diagnostics, const double* rest, double* v) noexcept {
+void choose_nearest(const Spec& spec, const double* last, DiagnosticSet diagnostics, const double* rest,
+                    double* v) noexcept {
     const AngleUnit unit = spec.unit;
     const std::array exact{two_sum(v[0], rest[0]), two_sum(v[1], rest[1]), two_sum(v[2], rest[2])};
     if (diagnostics.has(DiagnosticKind::gimbal_lock)) { // only the sum or the difference of the outer angles counts
@@ -214,7 +215,7 @@ constexpr Codec codec_of_angles(const Representation& representation, std::strin
         .sensitivity = [](const Spec& spec,
                           const Rotation& rotation) noexcept { return euler::sensitivity(rotation, spec.sequence); },
         .open_ends = open_ends,
-        .nearest = nearest,
+        .choose_nearest = choose_nearest,
         .rate = rate_of<Eigen::Vector3d, euler::rate, value_of>,
         .angular_velocity = angular_velocity_of<Eigen::Vector3d, euler::angular_velocity, value_of>,
         .greatest_distance = 0.5 * std::numbers::pi,

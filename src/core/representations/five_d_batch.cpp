@@ -39,7 +39,7 @@ struct FiveNumbers : ReadByColumns<FiveNumbers, 5>, WrittenByFormula<FiveNumbers
         first[0] = sum - T(1.0);
         first[1] = scaled(y[0], 2.0);
         first[2] = scaled(y[1], 2.0);
-        take(y + 2, second);
+        load(y + 2, second);
     }
     /// The terms of the first one's first number beside its length, of which it is off by a part.
     ROTCONV_INLINE static double lost_by_directions(const double (&y)[5]) noexcept {

@@ -24,8 +24,8 @@ inline namespace ROTCONV_TARGET {
 template <class T> struct BatchKernel {
     void (*read)(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept;
     /// Each number is the result in T, rounded once. `rest`: what the results have beside those numbers, of
-    /// representations with a choice (Codec::nearest); may be null. Diagnostics are what there is to report of each
-    /// row; the sets are empty at first. Doubts, only of DoubleDouble and empty at first, are those of doubt_of().
+    /// representations with a choice (Codec::choose_nearest); may be null. Diagnostics are what there is to report of
+    /// each row; the sets are empty at first. Doubts, only of DoubleDouble and empty at first, are those of doubt_of().
     void (*write)(const Spec& spec, double lock_margin, const AttitudeBatch<T>& attitudes, std::size_t rows,
                   double* numbers, double* rest, DiagnosticSet* diagnostics, std::uint64_t* doubts) noexcept;
 };
@@ -101,13 +101,13 @@ ROTCONV_REPRESENTATIONS(ROTCONV_LINE)
 #undef ROTCONV_LINE
 
 /// The first N of some numbers, in as many digits as To has.
-template <class From, class To, std::size_t N> ROTCONV_INLINE void take(const From* numbers, To (&taken)[N]) noexcept {
+template <class From, class To, std::size_t N> ROTCONV_INLINE void load(const From* numbers, To (&taken)[N]) noexcept {
     for (std::size_t k = 0; k < N; ++k) {
         taken[k] = rounded_to<To>(numbers[k]);
     }
 }
 /// And puts them there.
-template <class From, class To, std::size_t N> ROTCONV_INLINE void put(const From (&numbers)[N], To* there) noexcept {
+template <class From, class To, std::size_t N> ROTCONV_INLINE void store(const From (&numbers)[N], To* there) noexcept {
     for (std::size_t k = 0; k < N; ++k) {
         there[k] = rounded_to<To>(numbers[k]);
     }
@@ -168,7 +168,7 @@ template <class Formula, std::size_t count> struct WrittenByFormula {
         T result[size];
         Formula::numbers_of(q, result);
         const DiagnosticSet found = Formula::complete(q, result);
-        put(result, numbers);
+        store(result, numbers);
         return found;
     }
 };

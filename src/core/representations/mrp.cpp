@@ -61,8 +61,8 @@ void switch_to_shadow(double* numbers) noexcept {
 }
 
 /// m or its shadow -m/|m|^2, which is nearer to l if |m|^2 - 2 m l > 1.
-void nearest(const Spec& /*spec*/, const double* last, DiagnosticSet /*diagnostics*/, const double* rest,
-             double* m) noexcept {
+void choose_nearest(const Spec& /*spec*/, const double* last, DiagnosticSet /*diagnostics*/, const double* rest,
+                    double* m) noexcept {
     // both at unit size: the shadow of a small vector is a large one
     const int exponent = PowerOfTwo::exponent_of_unit(largest_magnitude(m[0], m[1], m[2]));
     const int last_exponent = PowerOfTwo::exponent_of_unit(largest_magnitude(last[0], last[1], last[2]));
@@ -99,7 +99,7 @@ constinit const Codec codecs::mrp{.representation = {.name = RepresentationId::m
                                   .singular_attitude = "a full turn",
                                   .formula = "tan(theta/4) n",
                                   .sensitivity = sensitivity_of<mrp::sensitivity>,
-                                  .nearest = nearest,
+                                  .choose_nearest = choose_nearest,
                                   .rate = rate_of<Vector3d, mrp::rate>,
                                   .angular_velocity = angular_velocity_of<Vector3d, mrp::angular_velocity>,
                                   .greatest_distance = std::numbers::pi,

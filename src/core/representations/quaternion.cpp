@@ -65,8 +65,8 @@ constexpr auto own_presets = std::to_array<PresetMeaning>({{"scipy", xyzw},
 Eigen::Quaterniond value_of(const Spec& /*spec*/, const double* v) noexcept { return {v[0], v[1], v[2], v[3]}; }
 
 /// q or -q.
-void nearest(const Spec& /*spec*/, const double* last, DiagnosticSet /*diagnostics*/, const double* /*rest*/,
-             double* q) noexcept {
+void choose_nearest(const Spec& /*spec*/, const double* last, DiagnosticSet /*diagnostics*/, const double* /*rest*/,
+                    double* q) noexcept {
     if (last[0] * q[0] + last[1] * q[1] + last[2] * q[2] + last[3] * q[3] < 0.0) {
         std::transform(q, q + 4, q, [](double component) { return 0.0 - component; });
     }
@@ -88,7 +88,7 @@ constinit const Codec codecs::quat{
     .formula = "w = cos(theta/2), (x, y, z) = sin(theta/2) n",
     .exact_defect = [](const double* v) noexcept { return quaternion::defect(value_of({}, v)); },
     .sensitivity = sensitivity_of<quaternion::sensitivity>,
-    .nearest = nearest,
+    .choose_nearest = choose_nearest,
     .rate =
         [](const Spec& spec, const double* v, const Eigen::Vector3d& w, Frame frame, double* rates) noexcept {
             const Eigen::Quaterniond q = quaternion::rate(value_of(spec, v), w, frame);

@@ -10,7 +10,7 @@ struct FourNumbers : WrittenByFormula<FourNumbers, 4> {
         return {8.0 * off, 0x1p-95};
     }
     template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&numbers)[4]) noexcept {
-        take(q, numbers);
+        load(q, numbers);
         divide(numbers, root(squared_norm(q)));
         const double sign = canonical_sign(q);
         for (T& number : numbers) {
@@ -20,7 +20,7 @@ struct FourNumbers : WrittenByFormula<FourNumbers, 4> {
 
     /// Any four numbers; finds the defect | |q| - 1 | in full.
     static Error read_one(const Spec& /*spec*/, const double* numbers, double (&q)[4], double& defect) noexcept {
-        take(numbers, q);
+        load(numbers, q);
         if (!all_finite(numbers, 4)) {
             return Error::not_finite;
         }
@@ -81,7 +81,7 @@ struct FourNumbers : WrittenByFormula<FourNumbers, 4> {
     }
 
     static void read_carefully(const Spec& /*spec*/, const double* numbers, Careful (&q)[4]) noexcept {
-        take(numbers, q);
+        load(numbers, q);
     }
 };
 

@@ -114,8 +114,8 @@ using Eigen::Map;
 using Eigen::Vector3d;
 
 /// n (theta + 2 pi k); without an angle any axis.
-void nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, const double* rest,
-             double* r) noexcept {
+void choose_nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, const double* rest,
+                    double* r) noexcept {
     const double pi = half_turn_in(spec.unit).hi;
     if ((Map<const Vector3d>(r) - Map<const Vector3d>(last)).squaredNorm() < 0.99 * (pi * pi)) {
         return; // the others are a whole turn and more from these
@@ -166,7 +166,7 @@ constinit const Codec codecs::rotvec{
     .singular_attitude = "a full turn",
     .formula = "theta n; R = exp [theta n]",
     .sensitivity = sensitivity_of<rotation_vector::sensitivity>,
-    .nearest = nearest,
+    .choose_nearest = choose_nearest,
     .rate = rate_of<Vector3d, rotation_vector::rate, rotation_vector::value_of>,
     .angular_velocity = angular_velocity_of<Vector3d, rotation_vector::angular_velocity, rotation_vector::value_of>,
     .sensitivity_of_numbers = rotation_vector::sensitivity_of_numbers,

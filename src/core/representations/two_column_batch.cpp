@@ -19,11 +19,11 @@ struct FirstTwoColumns : ReadByColumns<FirstTwoColumns, 6>, WrittenByFormula<Fir
     }
 
     template <class T> ROTCONV_INLINE static void directions(const T (&m)[6], T (&first)[3], T (&second)[3]) noexcept {
-        take(m, first);
-        take(m + 3, second);
+        load(m, first);
+        load(m + 3, second);
     }
     ROTCONV_INLINE static double lost_by_directions(const double (&/*m*/)[6]) noexcept { return 1.0; }
-    ROTCONV_INLINE static void columns(const double (&numbers)[6], double (&m)[6]) noexcept { take(numbers, m); }
+    ROTCONV_INLINE static void columns(const double (&numbers)[6], double (&m)[6]) noexcept { load(numbers, m); }
 };
 
 } // namespace

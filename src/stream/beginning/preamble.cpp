@@ -182,7 +182,7 @@ std::string_view Preamble::start(const Beginning& beginning, std::size_t& first_
 void Preamble::start_below(const HeaderLine& header, const HeaderLine* units, Output& output) {
     header_line_ = number_of(header.line);
     if (const auto names = header.names_at(layout_.positions); names && names->size() == layout_.count) {
-        Said said{.names = *names, .header = header.names()};
+        HeaderFacts said{.names = *names, .header = header.names()};
         for (std::size_t i = 0; units != nullptr && i < layout_.count; ++i) {
             if (const std::size_t at = layout_.position(i); at < units->fields.size()) {
                 said.units.push_back(units->name(at));
@@ -247,7 +247,7 @@ void Preamble::pass(std::string_view text, Output& output) const {
 }
 
 void Preamble::tell_passed(std::string_view text) {
-    Said said;
+    HeaderFacts said;
     std::size_t first = 0;
     for (std::size_t line = held_line_; !text.empty(); ++line) {
         const std::string_view next = next_line(text).text;
@@ -261,7 +261,7 @@ void Preamble::tell_passed(std::string_view text) {
     }
 }
 
-void Preamble::add_notes(const Said& said, std::size_t line) {
+void Preamble::add_notes(const HeaderFacts& said, std::size_t line) {
     if (!options_->notes_of) {
         return;
     }

@@ -52,7 +52,7 @@ private:
     /// Adds the note on those of the first lines that are no comments, although they pass.
     void tell_passed(std::string_view text);
     /// Adds the notes on what the input says.
-    void add_notes(const Said& said, std::size_t line);
+    void add_notes(const HeaderFacts& said, std::size_t line);
     /// Gives the result the names of the last selected columns, if the operation keeps names.
     void keep_names(const HeaderLine& header);
     /// Sets what is known of the layout; from here on it is final.

@@ -387,7 +387,7 @@ PairReader::Stream* PairReader::act(Job& job, Match match) {
     return nullptr;
 }
 
-KeysMet PairReader::keys() const {
+PairingStats PairReader::keys() const {
     return {.ranges = {rows_.range, references_.range},
             .any_pair = any_pair_,
             .interpolates = pairing_->interpolates,

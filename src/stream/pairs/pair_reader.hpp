@@ -38,7 +38,7 @@ public:
         return (side == Side::stream ? rows_ : references_).layout();
     }
     [[nodiscard]] std::array<Unpaired, 2> unpaired() const override { return {rows_.unpaired, references_.unpaired}; }
-    [[nodiscard]] KeysMet keys() const override;
+    [[nodiscard]] PairingStats keys() const override;
 
 private:
     /// A line that is read and not yet paired, handed on or dropped.
@@ -126,10 +126,10 @@ private:
         std::size_t line = 1;
         bool ended = false; ///< there are no more blocks
         std::deque<Waiting> waiting;
-        std::deque<Pairable> pairable;       ///< what was read of the waiting lines that may be paired
-        std::size_t bytes_waiting = 0;       ///< size of the waiting lines
-        std::optional<KeysMet::Range> range; ///< the first and the last key that increased
-        std::optional<Key> disposed;         ///< the key of the last row that was paired, dropped or failed
+        std::deque<Pairable> pairable;            ///< what was read of the waiting lines that may be paired
+        std::size_t bytes_waiting = 0;            ///< size of the waiting lines
+        std::optional<PairingStats::Range> range; ///< the first and the last key that increased
+        std::optional<Key> disposed;              ///< the key of the last row that was paired, dropped or failed
         Unpaired unpaired;
     };
 

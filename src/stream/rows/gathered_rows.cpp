@@ -123,7 +123,7 @@ double GatheredRows::norm_of(const Row& row, const RowReport& report) const {
     std::span<const double> q = read_.parts.numbers;
     q = q.subspan(row.index * (q.size() / read_.parts.lines.size())); // with the partner's
     if (report.at_fault > 0 && options_->pairing->interpolates) {
-        const Between& between = read_.parts.between[row.index];
+        const InterpolatedPair& between = read_.parts.between[row.index];
         q = std::span<const double>(read_.parts.neighbours)
                 .subspan(4 * (report.at_fault == 2 ? between.later : between.earlier));
     } else if (report.at_fault > 0) {

@@ -28,7 +28,7 @@ public:
     void take(ReadRows& pairs) noexcept { std::swap(read_, pairs); }
     /// Takes rows off the text, up to `most_rows` and `most_bytes`; with OnError::stop none after an error.
     void gather(std::string_view& text, std::size_t& line, std::size_t most_rows, std::size_t most_bytes);
-    /// Takes the numbers of rows off doubles that are nothing else, up to `most_rows`, without rows() of them.
+    /// Reads doubles that hold only the numbers, up to `most_rows`; rows() stays empty.
     void gather_numbers(std::string_view& doubles, std::size_t& line, std::size_t most_rows);
     /// Adds the rows() whose numbers were taken off these doubles.
     void add_rows(std::string_view doubles);

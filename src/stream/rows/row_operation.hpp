@@ -27,7 +27,7 @@ struct RowNumbers {
 };
 
 /// Where a key is between those of two rows of a reference, which may be one row, with that key.
-struct Between {
+struct InterpolatedPair {
     std::size_t earlier = 0; ///< their indices among NumberRows::neighbours
     std::size_t later = 0;
     double fraction = 0.0; ///< from 0 to 1
@@ -43,7 +43,7 @@ struct NumberRows {
     std::span<const std::string_view> keys{};       ///< their texts; empty if rows are doubles
     std::span<const std::size_t> reference_lines{}; ///< the partners' lines; empty without a reference
     std::span<const double> neighbours{};           ///< the rows of a reference that is interpolated, each once
-    std::span<const Between> between{};             ///< where each row is among them
+    std::span<const InterpolatedPair> between{};    ///< where each row is among them
     bool are_last = true;                           ///< no row may wait for later rows
 };
 
@@ -58,7 +58,7 @@ struct HeldRows {
     std::vector<std::string_view> keys; ///< views into the block's text
     std::vector<std::size_t> reference_lines;
     Numbers neighbours;
-    std::vector<Between> between;
+    std::vector<InterpolatedPair> between;
 
     [[nodiscard]] NumberRows view() const noexcept {
         return {numbers, lines, kept, keys, reference_lines, neighbours, between};
