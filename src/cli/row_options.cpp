@@ -38,7 +38,7 @@ SelectedColumns with_key(SelectedColumns columns, const Option& option, const st
 std::string or_else(const std::string& text, const std::string& other) { return text.empty() ? other : text; }
 
 ShowDiagnostics shown_diagnostics_of(const Option& option) {
-    return option.given() ? one_of("place for", option, diagnostics_places) : ShowDiagnostics::summary;
+    return option.given() ? one_of("place for --diagnostics", option, diagnostics_places) : ShowDiagnostics::summary;
 }
 
 stream::Digits digits_of(const RowOptions& options) {
@@ -75,7 +75,7 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
                               stream::RowNumbers numbers, std::string_view subject, bool names_decide) {
     using stream::HeaderMode;
     stream::InputOptions in{.numbers = std::move(numbers)};
-    in.header = one_of("mode of", options.header, header_modes);
+    in.header = one_of("mode of --header", options.header, header_modes);
     in.ragged = options.ragged.given();
     in.stops = options.policy() == stream::OnError::stop;
     const Option& delimiter = options.delimiter;
@@ -133,7 +133,7 @@ void RowOptions::check_attitudes() const {
 
 double RowOptions::most_defect() const { return amount_of(tolerance, ConversionSettings{}.tolerance, true); }
 
-stream::OnError RowOptions::policy() const { return one_of("policy of", on_error, policies); }
+stream::OnError RowOptions::policy() const { return one_of("policy of --on-error", on_error, policies); }
 
 ConversionSettings RowOptions::settings() const {
     return {.tolerance = most_defect(), .sensitivity = shown_diagnostics_of(diagnostics) == ShowDiagnostics::columns};

@@ -102,7 +102,8 @@ struct Note {
     };
     Kind kind = Kind::order;
     std::string text;
-    Place place{}; ///< line 0: the note is about the command line
+    Place place{};                    ///< line 0: the note is about the command line
+    std::vector<std::string> words{}; ///< an option and its argument that the command line lacks, if it lacks one
 };
 
 using Event = std::variant<RowError, Diagnostic, Note>;

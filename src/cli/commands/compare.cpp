@@ -50,7 +50,7 @@ struct CompareOptions final : RowOptions {
         using stream::Format;
         const Spec read = spec_of(from);
         const Spec reference = to.given() ? spec_of(to) : read;
-        const auto side = one_of("side of", align, sides);
+        const auto side = one_of("side of --align", align, sides);
         const auto written = one_of("format of compare", format, formats);
         const bool in_spec = read.unit == AngleUnit::degrees || reference.unit == AngleUnit::degrees;
         AngleUnitName unit = degrees.given() || in_spec ? in_degrees : AngleUnitName();
@@ -61,7 +61,7 @@ struct CompareOptions final : RowOptions {
                     .worst = count_of(worst, 1'000'000),
                     .comparing = {.reading = attitude_settings(), .per_radian = unit.per_radian}};
         if (allow_unpaired.given()) {
-            check.allow_unpaired = one_of("kind of rows for", allow_unpaired, unpaired_rows);
+            check.allow_unpaired = one_of("kind of rows for --allow-unpaired", allow_unpaired, unpaired_rows);
         }
         for (const operations::PairLimit& limit : limits) {
             check.comparing.within = limit.is_of_all() ? limit.angle : check.comparing.within;

@@ -36,8 +36,8 @@ struct ComposeOptions final : RowOptions {
         };
         RowsCommand made = rows_command(operations::several(mapped(written, product_as)));
         pair(made, second);
-        made.allow_unpaired =
-            allow_unpaired.given() && one_of("kind of rows for", allow_unpaired, Choices<bool>{{"reference", true}});
+        made.allow_unpaired = allow_unpaired.given() && one_of("kind of rows for --allow-unpaired", allow_unpaired,
+                                                               Choices<bool>{{"reference", true}});
         if (rows.paired) {
             made.options.pairing->needs_partner = true;
             made.options.pairing->tells_partner = false;

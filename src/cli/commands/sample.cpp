@@ -57,7 +57,7 @@ struct SampleOptions final : RowOptions {
         const SampleSettings samples{
             kinds_of(spec.name), count_of(seed, largest_count, 0),
             number_of(noise, 5e-4, "number from 0 to 0.5", [](double most) { return most >= 0.0 && most <= 0.5; })};
-        const bool has_header = one_of("mode of", header, header_modes) == stream::HeaderMode::add;
+        const bool has_header = one_of("mode of --header", header, header_modes) == stream::HeaderMode::add;
         RowsCommand made = rows_command(operations::sample(spec, samples));
         made.options.input = {.numbers = made.options.input.numbers,
                               .delimiter = stream::Delimiter::character(','),

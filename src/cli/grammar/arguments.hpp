@@ -32,11 +32,9 @@ template <class Value> Value one_of(std::string_view what, const Option& option,
     return std::ranges::find(choices, text, &Choices<Value>::value_type::first)->second;
 }
 /// The value of an option's argument; the first of its choices if the option is not given.
-/// @param what such as "frame"; the option's name follows "mode of" and the like
+/// @param what such as "frame", or "mode of --header"
 template <class Value> Value one_of(std::string_view what, const Option& option, const Choices<Value>& choices) {
-    const bool is_open = what.ends_with(" of") || what.ends_with(" for");
-    return one_of(is_open ? fmt::format("{} {}", what, option.name()) : std::string(what), option,
-                  option.given() ? option.text() : option.choices.front(), choices, option.choices);
+    return one_of(what, option, option.given() ? option.text() : option.choices.front(), choices, option.choices);
 }
 
 /// A number for which `holds`; `must`: what it must be, such as "number from 0 to 1".

@@ -105,10 +105,8 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
             better.push_back({{Edit::at_end}, 0, {"-d"}});
         }
         const auto* const note = std::get_if<stream::Note>(&event);
-        constexpr std::string_view option = "--time-unit ";
-        const std::size_t at = note == nullptr ? std::string::npos : note->text.find(option);
-        if (at != std::string::npos && note->text.find(',', at) == std::string::npos) { // the unit that a header says
-            better.push_back({{Edit::at_end}, 0, words_in(note->text.substr(at))});
+        if (note != nullptr && !note->words.empty()) {
+            better.push_back({{Edit::at_end}, 0, note->words});
         }
         if (const auto* const error = std::get_if<stream::RowError>(&event); error != nullptr && !wrong) {
             wrong = *error;

@@ -117,8 +117,13 @@ public:
                 const bool has_own = column < said.units.size();
                 const auto unit = has_own ? unit_of(said.units[column]) : name_and_unit(name).second;
                 if (const std::string told = other_unit(part, i, unit); !told.empty()) {
-                    notes.push_back({is_angle(unit) ? Kind::unit : Kind::time_unit,
-                                     fmt::format("the header's {} is in {}, but {}", quoted(name), unit, told)});
+                    stream::Note note{
+                        Kind::unit, fmt::format("the header's {} is in {}, but {}", quoted(name), unit, told), {}, {}};
+                    if (!is_angle(unit)) {
+                        note.kind = Kind::time_unit;
+                        note.words = {time_option_, std::string(unit)};
+                    }
+                    notes.push_back(std::move(note));
                 }
             }
         }

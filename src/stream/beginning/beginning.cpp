@@ -257,7 +257,7 @@ private:
             return std::nullopt;
         }
         made.positions = std::move(found.positions);
-        made.choice = Note{Note::Kind::columns, std::move(found.text), {}};
+        made.choice = Note{.kind = Note::Kind::columns, .text = std::move(found.text)};
         return made;
     }
 
