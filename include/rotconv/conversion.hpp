@@ -105,7 +105,8 @@ public:
     /// @param reports is replaced by the reports of the rows that have an error or a diagnostic (with
     /// ConversionSettings::sensitivity, of all rows), in row order. Most rows have none. A vector that is reused is not
     /// allocated again
-    /// @param rest if not empty, receives the exact numbers less those written, for ContinuousNumbers::run()
+    /// @param rest if not empty, receives the exact numbers less those written, for ContinuousNumbers::run(), each as a
+    /// sum of as many doubles as there is room for
     /// @throw std::invalid_argument if `in` is not whole rows, or `out` or `rest` has no room for the results
     ///
     /// Eigen stores matrices by columns and quaternions as x y z w: the elements of a vector of Eigen::Matrix3d are

@@ -66,7 +66,13 @@ stream::RowNumbers pair_numbers(stream::RowNumbers numbers, const PairedRows& ro
 }
 
 Operation convert(const Conversion& conversion, bool continuous) {
-    return operation_of(function_of(conversion), attitude_numbers(conversion.from()), conversion.to(), continuous);
+    auto made = operation_of(function_of(conversion), attitude_numbers(conversion.from()), conversion.to(), continuous);
+    made->parts[0].again = [conversion](std::span<const double> row, std::span<double> numbers,
+                                        std::span<double> rest) {
+        std::vector<RowReport> reports;
+        conversion.run(row, numbers, reports, rest);
+    };
+    return made;
 }
 
 Operation compose(const Composition& composition, const PairedRows& rows, bool continuous) {

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include <rotconv/rotconv.hpp>
@@ -330,6 +332,53 @@ TEST_CASE("a row without a result changes nothing for the next") {
     CHECK(std::isnan(result[6]));
     CHECK(row_of(degrees, result, 3) == Numbers{0, 0, 190});
     CHECK(row_of(degrees, result, 5) == Numbers{0, 0, 180});
+}
+
+// Catches a number that is rounded from 106 bits where its whole turn takes it next to the midpoint of two doubles: a
+// third of these rows. h/k is a convergent of the tangent of half the angle that is the midpoint less a turn.
+TEST_CASE("numbers that whole turns move are rounded once, next to midpoints too") {
+    using Real = oracle::Digits<70>;
+    strata::Source source(106);
+    const Real turn = 2 * boost::math::constants::pi<Real>();
+    for (const char* to_text : {"rpy", "rpy:deg", "rotvec", "rotvec:deg", "axis-angle", "euler:ZXY:deg"}) {
+        const Spec to = accuracy::spec(to_text);
+        const Conversion conversion(Spec{}, to, {.tolerance = any_defect});
+        const bool degrees = to.unit == AngleUnit::degrees;
+        const double half_turn = degrees ? 180.0 : pi;
+        const std::size_t at = to.name == RepresentationId::euler ? 0 : to.size() - 1;
+        int asked = 0;
+        for (int i = 0; i < tried(60); ++i) {
+            const double low = source.uniform(1.05, 1.9) * half_turn;
+            const Real unit = degrees ? Real(turn / 360) : Real(1);
+            const Real middle = (Real(low) + Real(std::nextafter(low, 1e9))) / 2;
+            Real rest = tan((turn - middle * unit) / 2);
+            double h[] = {0, 1};
+            double k[] = {1, 0};
+            while (rest * k[1] + k[0] < 0x1p53 && rest * h[1] + h[0] < 0x1p53) {
+                const auto whole = floor(rest).convert_to<double>();
+                h[0] = std::exchange(h[1], whole * h[1] + h[0]);
+                k[0] = std::exchange(k[1], whole * k[1] + k[0]);
+                rest = 1 / (rest - whole);
+            }
+            const Numbers row{k[1], 0, 0, -h[1]};
+            Numbers before(to.size(), 0.0);
+            before[to.size() == 4 ? 2 : at] = 1.0;
+            before[at] = 0.99 * half_turn;
+            ContinuousNumbers numbers(to);
+            numbers.run(before, {});
+            Numbers result(to.size());
+            Numbers left(to.size());
+            std::vector<RowReport> reports;
+            conversion.run(row, result, reports, left);
+            numbers.run(result, reports, left, [&](std::size_t, std::span<double> again, std::span<double> more) {
+                ++asked;
+                conversion.run(row, again, reports, more);
+            });
+            INFO(to_text << " of " << row[0] << " " << row[3]);
+            CHECK(result[at] == Real((turn - 2 * atan(Real(h[1]) / k[1])) / unit).convert_to<double>());
+        }
+        CHECK(asked > 0);
+    }
 }
 
 // Catches a shadow of the rounded vector, and products that underflow or overflow on the way.

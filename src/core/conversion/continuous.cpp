@@ -6,6 +6,7 @@
 
 #include "../checks.hpp"
 #include "../numerics/power_of_two.hpp"
+#include "../numerics/wide.hpp"
 #include "../representations/codec.hpp"
 
 namespace rotconv {
@@ -14,8 +15,8 @@ ContinuousNumbers::ContinuousNumbers(const Spec& spec) noexcept : spec_(spec), c
 
 bool ContinuousNumbers::have_choice() const noexcept { return codec_->choose_nearest != nullptr; }
 
-void ContinuousNumbers::run(std::span<double> numbers, std::span<const RowReport> reports,
-                            std::span<const double> rest) {
+void ContinuousNumbers::run(std::span<double> numbers, std::span<const RowReport> reports, std::span<const double> rest,
+                            const Again& again) {
     if (!have_choice()) {
         return;
     }
@@ -33,11 +34,32 @@ void ContinuousNumbers::run(std::span<double> numbers, std::span<const RowReport
             continue;
         }
         if (has_last_) {
-            codec_->choose_nearest(spec_, last_.data(), diagnostics, rest.empty() ? nothing.data() : &rest[row * size],
-                                   own.data());
+            choose(own, diagnostics, rest.empty() ? std::span(nothing).first(size) : rest.subspan(row * size, size),
+                   again, row);
         }
         std::ranges::copy(own, last_.begin());
         has_last_ = true;
+    }
+}
+
+void ContinuousNumbers::choose(std::span<double> own, DiagnosticSet diagnostics, std::span<const double> rest,
+                               const Again& again, std::size_t row) {
+    std::array<double, most_numbers> canonical{};
+    std::ranges::copy(own, canonical.begin());
+    if (codec_->choose_nearest(spec_, last_.data(), diagnostics, rest, own.data()) || !again) {
+        return;
+    }
+    constexpr std::size_t rest_size = Wide::bits_of_rest / 53;
+    std::array<double, most_numbers> numbers{};
+    std::array<double, rest_size * most_numbers> more{};
+    const auto all = std::span(more).first(rest_size * own.size());
+    again(row, std::span(numbers).first(own.size()), all);
+    if (std::equal(own.begin(), own.end(), canonical.begin())) {
+        return;
+    }
+    if (std::equal(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(own.size()), canonical.begin())) {
+        std::ranges::copy_n(canonical.begin(), static_cast<std::ptrdiff_t>(own.size()), own.begin());
+        static_cast<void>(codec_->choose_nearest(spec_, last_.data(), diagnostics, all, own.data()));
     }
 }
 

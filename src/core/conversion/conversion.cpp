@@ -138,10 +138,12 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
     const FixedRotation left = to_.passive ? settings_.right.inverse() : settings_.left;
     const FixedRotation right = to_.passive ? settings_.left.inverse() : settings_.right;
     const FixedRotations fixed = fixed_rotations(left, right);
-    const ConversionBatch batch{&from_, &to_, settings_.lock_margin, &fixed, zeros_.get()};
     const auto convert = settings_.fast ? kernel_table().convert_fast : kernel_table().convert;
     const std::size_t width = to_.size();
-    check_size(rest.empty() ? out.size() : rest.size(), in.size() / from_.size() * width);
+    const std::size_t numbers_written = in.size() / from_.size() * width;
+    const std::size_t rest_size = rest.empty() || numbers_written == 0 ? 1 : rest.size() / numbers_written;
+    check_size(rest.empty() ? out.size() : rest.size(), numbers_written * rest_size);
+    const ConversionBatch batch{&from_, &to_, settings_.lock_margin, &fixed, zeros_.get(), rest_size};
     const auto run_batch = [&](const double* numbers, std::size_t rows, double* written, std::size_t first) {
         InputBatch input(from_, numbers, rows, from_.size());
         std::array<DiagnosticSet, batch_rows> diagnostics;
@@ -150,8 +152,8 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
             convert(batch, input.own(), rows, input.attitudes, own.data(), nullptr, diagnostics.data());
             to_written_order(to_, own.data(), rows, written);
         } else {
-            convert(batch, input.own(), rows, input.attitudes, written, rest.empty() ? nullptr : &rest[first * width],
-                    diagnostics.data());
+            convert(batch, input.own(), rows, input.attitudes, written,
+                    rest.empty() ? nullptr : &rest[first * width * rest_size], diagnostics.data());
             std::for_each_n(written, rows * width, [](double& number) { number += 0.0; }); // -0 becomes 0
         }
         if (!any_remarkable(input, diagnostics.data(), rows, InputBatch::largest_unreported(settings_))) {

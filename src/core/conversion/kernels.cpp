@@ -97,6 +97,9 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
     std::uint64_t doubts[batch_rows] = {};
     bool open[batch_rows] = {};
     convert_plainly(batch, in, rows, attitudes, out, rest, diagnostics, doubts);
+    for (std::size_t k = 0; k < rows * batch.to->size() && rest != nullptr; ++k) {
+        rest[k] += 0.0; // 106 bits do not tell that there is none
+    }
     round(attitudes, rows, rounded);
     if constexpr (!std::is_same_v<T, double>) {
         settle_all(task, in, rows, diagnostics, doubts, rounded, out, rest, open);
@@ -185,11 +188,45 @@ bool convert_first(const ConversionBatch& batch, const double* in, std::size_t r
     return true;
 }
 
+/// Whether all numbers of a row are sums of its angles, or 0, with what they have beside those written.
+bool are_known(const CarefulTask& task, const CarefulRow& row, double* numbers, double* rest,
+               std::size_t rest_size) noexcept {
+    bool known = true;
+    for (unsigned k = 0; k < task.to->size() && known; ++k) {
+        double* const own = rest + k * rest_size;
+        for (std::size_t i = 0; i < rest_size; ++i) {
+            own[i] = -0.0;
+        }
+        known = numbers[k] == 0.0 ? are_zeros(task, row, std::uint64_t{1} << k, true)
+                                  : round_sum(task, row, k, numbers[k], own);
+    }
+    return known;
+}
+
+/// All rows in Wide, which has more than the bits of `rest`.
+void convert_carefully(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
+                       double* out, double* rest, DiagnosticSet* diagnostics) noexcept {
+    const CarefulTask task = task_of(batch);
+    convert<DoubleDouble>(batch, in, rows, rounded, out, nullptr, diagnostics);
+    const Wide::Bits enough(Wide::bits_of_rest);
+    for (std::size_t i = 0; i < rows; ++i) {
+        const CarefulRow row{in + i * batch.from->size(), nullptr};
+        double* const numbers = out + i * batch.to->size();
+        double* const own_rest = rest + i * batch.to->size() * batch.rest_size;
+        if (rounded.error[i] == Error::none &&
+            !are_known(at_lock(task, diagnostics[i], numbers[1]), row, numbers, own_rest, batch.rest_size)) {
+            answer_once(task, row, numbers, own_rest, batch.rest_size, i, rounded, diagnostics[i]);
+        }
+    }
+}
+
 /// The rows that the first phase leaves open, together.
 void convert_in_phases(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
                        double* out, double* rest, DiagnosticSet* diagnostics) noexcept {
     bool open[batch_rows];
-    if (rest != nullptr || !convert_first(batch, in, rows, rounded, out, open)) {
+    if (batch.rest_size > 1) {
+        convert_carefully(batch, in, rows, rounded, out, rest, diagnostics);
+    } else if (rest != nullptr || !convert_first(batch, in, rows, rounded, out, open)) {
         convert<DoubleDouble>(batch, in, rows, rounded, out, rest, diagnostics);
     } else {
         convert_open(batch, in, rows, open, rounded, out, diagnostics);

@@ -54,6 +54,7 @@ struct ConversionBatch {
     double lock_margin;
     const FixedRotations* fixed; ///< of the attitudes as they are written
     ZeroTable* zeros;            ///< may be null
+    std::size_t rest_size = 1;   ///< how many doubles of `rest` a number has; with more than one all rows are careful
 };
 
 /// What a batch of products of two attitudes needs beside its rows.
@@ -72,7 +73,7 @@ struct KernelTable {
     const char* target; ///< that kind of processor, for people
     /// From one representation to the other, each number rounded once. `attitudes` become those that are written,
     /// rounded, with the defects and errors of the rows. `rest`, which may be null: what the exact numbers have beside
-    /// those written.
+    /// those written, as sums of `rest_size` doubles each; -0.0 alone where it is known that there is nothing.
     using Convert = void(const ConversionBatch& batch, const double* in, std::size_t rows,
                          AttitudeBatch<double>& attitudes, double* out, double* rest,
                          DiagnosticSet* diagnostics) noexcept;

@@ -336,7 +336,8 @@ inline bool round_sum(const CarefulTask& task, const CarefulRow& row, unsigned k
         if ((k == 1 || sign > 0.0) && __builtin_fabs(near + 180.0 * turns - number) < 1e-6) {
             const Careful angle = scaled(own, sign) + Careful(180.0 * turns);
             const bool decided = angle.round(nearest);
-            *rest = (angle - Careful(nearest)).rounded();
+            const Careful left = angle - Careful(nearest);
+            *rest = left.may_be_zero() || left.sign() != 0 ? left.rounded() : -0.0;
             fits += decided ? 1 : 2;
         }
     }
@@ -345,40 +346,49 @@ inline bool round_sum(const CarefulTask& task, const CarefulRow& row, unsigned k
     return fits == 1 && !is_end;
 }
 
-/// A row with as many bits as it takes, to numbers, to what they leave, which may be null, and to the attitude.
+/// A row with the bits that there are, to numbers, to what they leave, which may be null, in `rest_size` doubles for
+/// each, and to the attitude; whether the numbers are decided.
+inline bool answer_once(const CarefulTask& task, const CarefulRow& row, double* numbers, double* rest,
+                        std::size_t rest_size, std::size_t place, AttitudeBatch<double>& attitudes,
+                        DiagnosticSet& diagnostics) noexcept {
+    const auto is_zero = [&](const CarefulTask& which, unsigned bit) {
+        return are_zeros(which, row, std::uint64_t{1} << bit, false);
+    };
+    Careful q[4];
+    Careful results[most_numbers];
+    read_carefully(task, row, q);
+    for (unsigned k = 0; k < 4; ++k) {
+        if (q[k].may_be_zero() && is_zero(task, 16 + k)) {
+            q[k] = 0.0;
+        }
+    }
+    set_rounded(q, place, attitudes);
+    diagnostics = write_carefully(task, row, q, results);
+    const CarefulTask own = at_lock(task, diagnostics, results[1].rounded());
+    bool decided = true;
+    const std::size_t size = task.to == nullptr ? 3 : task.to->size();
+    for (unsigned k = 0; k < size; ++k) {
+        if (results[k].may_be_zero() && is_zero(own, k)) {
+            results[k] = 0.0;
+        }
+        decided = results[k].round(numbers[k]) && decided;
+        double written = numbers[k];
+        for (std::size_t i = 0; i < rest_size && rest != nullptr; ++i) {
+            const bool is_finite = __builtin_fabs(written) < __builtin_inf();
+            results[k] = is_finite ? results[k] - Careful(written) : Careful(0.0);
+            written = results[k].rounded();
+            rest[k * rest_size + i] = written;
+        }
+    }
+    return decided;
+}
+
+/// The same with as many bits as it takes.
 ROTCONV_NOINLINE inline DiagnosticSet answer_carefully(const CarefulTask& task, const CarefulRow& row, double* numbers,
                                                        double* rest, std::size_t place,
                                                        AttitudeBatch<double>& attitudes) noexcept {
     DiagnosticSet diagnostics;
-    const auto is_zero = [&](const CarefulTask& which, unsigned bit) {
-        return are_zeros(which, row, std::uint64_t{1} << bit, false);
-    };
-    with_enough_bits([&] {
-        Careful q[4];
-        Careful results[most_numbers];
-        read_carefully(task, row, q);
-        for (unsigned k = 0; k < 4; ++k) {
-            if (q[k].may_be_zero() && is_zero(task, 16 + k)) {
-                q[k] = 0.0;
-            }
-        }
-        set_rounded(q, place, attitudes);
-        diagnostics = write_carefully(task, row, q, results);
-        const CarefulTask own = at_lock(task, diagnostics, results[1].rounded());
-        bool decided = true;
-        const std::size_t size = task.to == nullptr ? 3 : task.to->size();
-        for (unsigned k = 0; k < size; ++k) {
-            if (results[k].may_be_zero() && is_zero(own, k)) {
-                results[k] = 0.0;
-            }
-            decided = results[k].round(numbers[k]) && decided;
-            if (rest != nullptr) {
-                const bool is_finite = __builtin_fabs(numbers[k]) < __builtin_inf();
-                rest[k] = is_finite ? (results[k] - Careful(numbers[k])).rounded() : 0.0;
-            }
-        }
-        return decided;
-    });
+    with_enough_bits([&] { return answer_once(task, row, numbers, rest, 1, place, attitudes, diagnostics); });
     return diagnostics;
 }
 
@@ -402,7 +412,7 @@ inline bool settle(const CarefulTask& general, const CarefulRow& row, Diagnostic
         if ((doubts >> k & 1U) != 0) {
             numbers[k] = 0.0;
             if (rest != nullptr) {
-                rest[k] = 0.0;
+                rest[k] = -0.0;
             }
         }
     }

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "elementary.hpp"
+#include "wide.hpp"
 
 namespace rotconv {
 
@@ -12,14 +13,17 @@ namespace rotconv {
     return (difference / (2.0 * half_turn_in(unit).hi) + shift) - shift;
 }
 
-/// An angle plus so many half-turns, to twice the precision.
+/// An angle plus so many half-turns, to the precision of the scalar.
 [[nodiscard]] inline DoubleDouble plus_half_turns(DoubleDouble angle, double half_turns, AngleUnit unit) noexcept {
     return angle + half_turn_in(unit) * half_turns;
+}
+[[nodiscard]] inline Wide plus_half_turns(const Wide& angle, double half_turns, AngleUnit unit) noexcept {
+    return angle + Wide::half_turn(unit == AngleUnit::degrees) * Wide(half_turns);
 }
 
 /// An angle in radians less its whole turns.
 [[nodiscard]] inline double without_turns(double angle) noexcept {
-    return plus_half_turns(angle, 2.0 * nearest_turns(-angle, AngleUnit::radians), AngleUnit::radians).hi;
+    return plus_half_turns(DoubleDouble(angle), 2.0 * nearest_turns(-angle, AngleUnit::radians), AngleUnit::radians).hi;
 }
 
 /// 1 radian in the unit.

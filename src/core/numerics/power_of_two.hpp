@@ -82,16 +82,5 @@ private:
     return scale.undone(root((a * a + b * b) + c * c));
 }
 
-/// The number nearest to `ratio` 2^`exponent` (component + rest). The product is formed at unit size, so that nothing
-/// of it underflows, and rounded once more only where the result does.
-[[nodiscard]] inline double scaled_product(const DoubleDouble& ratio, int exponent, double component,
-                                           double rest) noexcept {
-    constexpr int least = -1200; // the result is 0 there
-    const int own = PowerOfTwo::exponent_of_unit(__builtin_fabs(component));
-    const PowerOfTwo to_unit(-own);
-    const int power = exponent + own;
-    return PowerOfTwo(power < least ? least : power)((ratio * two_sum(to_unit(component), to_unit(rest))).hi) + 0.0;
-}
-
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

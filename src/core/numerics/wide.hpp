@@ -28,6 +28,9 @@ public:
         bool doubted_before_;
     };
 
+    /// For numbers of which several doubles are left.
+    static constexpr int bits_of_rest = 640;
+
     Wide() noexcept : Wide(0.0) {}
     Wide(double value) noexcept;
     Wide(double high, double low) noexcept;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "../numerics/angles.hpp"
+#include "../numerics/exact_number.hpp"
 #include "codec.hpp"
 #include "rotation_angle.hpp"
 
@@ -35,9 +36,9 @@ namespace rotconv {
 namespace {
 
 /// (n, a) or (-n, -a), and whole turns; without an angle any axis.
-void choose_nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, const double* rest,
-                    double* v) noexcept {
-    const DoubleDouble angle = two_sum(v[3], rest[3]);
+template <class T> bool choose(const Spec& spec, const double* last, std::span<const double> rest, double* v) noexcept {
+    const auto rest_of_angle = rest.last(rest.size() / 4);
+    const T angle = exact_number<T>(v[3], rest_of_angle);
     if (v[3] == 0.0) {
         std::copy_n(last, 3, v);
     }
@@ -59,9 +60,14 @@ void choose_nearest(const Spec& spec, const double* last, DiagnosticSet /*diagno
         }
     }
     std::transform(v, v + 3, v, [chosen](double component) { return chosen * component + 0.0; });
-    if (chosen < 0.0 || turns != 0.0) {
-        v[3] = plus_half_turns(scaled(angle, chosen), 2.0 * turns, spec.unit).hi;
-    }
+    const bool is_exact = spec.unit == AngleUnit::degrees && is_exactly_none(rest_of_angle[0]);
+    return (chosen > 0.0 && turns == 0.0) ||
+           round_to(plus_half_turns(scaled(angle, chosen), 2.0 * turns, spec.unit), is_exact, v[3]);
+}
+
+bool choose_nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, std::span<const double> rest,
+                    double* v) noexcept {
+    return in_scalar_of(rest, 4, [&]<class T>(T /*scalar*/) { return choose<T>(spec, last, rest, v); });
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <string_view>
 
 #include <Eigen/Core>
@@ -41,10 +42,11 @@ struct Codec {
 
     /// Replaces the canonical numbers by those nearest to `last` among all that mean the attitude, or leaves them if
     /// they are as near. All are as they are written: what has a choice has no order of its own that
-    /// would count. `rest` is what the exact canonical numbers have beside those written, and the diagnostics are
-    /// theirs. Null where there are no others.
-    void (*choose_nearest)(const Spec& spec, const double* last, DiagnosticSet diagnostics, const double* rest,
-                           double* numbers) noexcept = nullptr;
+    /// would count. `rest` is what the exact canonical numbers have beside those written, a sum of doubles for each,
+    /// and the diagnostics are theirs. False where it does not tell how a number rounds. Null where there are no
+    /// others.
+    bool (*choose_nearest)(const Spec& spec, const double* last, DiagnosticSet diagnostics,
+                           std::span<const double> rest, double* numbers) noexcept = nullptr;
 
     /// The kinematic equation, both ways; null where there is none.
     void (*rate)(const Spec& spec, const double* numbers, const Eigen::Vector3d& w, Frame frame,

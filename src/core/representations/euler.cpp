@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "../numerics/angles.hpp"
+#include "../numerics/exact_number.hpp"
 #include "../numerics/power_of_two.hpp"
 #include "codec.hpp"
 #include "euler_formulas.hpp"
@@ -154,20 +155,22 @@ struct Triple {
     double distance = 0.0;              ///< to the last numbers, squared
 };
 
-void choose_nearest(const Spec& spec, const double* last, DiagnosticSet diagnostics, const double* rest,
-                    double* v) noexcept {
+template <class T> bool choose(const Spec& spec, const double* last, DiagnosticSet diagnostics,
+                               std::span<const double> rest, double* v) noexcept {
     const AngleUnit unit = spec.unit;
-    const std::array exact{two_sum(v[0], rest[0]), two_sum(v[1], rest[1]), two_sum(v[2], rest[2])};
+    const std::size_t rest_size = rest.size() / 3;
+    const auto number = [&](std::size_t i) { return exact_number<T>(v[i], rest.subspan(i * rest_size, rest_size)); };
+    const std::array<T, 3> exact{number(0), number(1), number(2)};
     if (diagnostics.has(DiagnosticKind::gimbal_lock)) { // only the sum or the difference of the outer angles counts
         const FixedAxes axes(spec.sequence);
         const bool is_low = axes.proper ? v[1] < 0.5 * half_turn_in(unit).hi : spec.sequence.sign(1) * v[1] < 0.0;
         const double sum_sign =
             (is_low == (axes.proper || axes.sign > 0.0) ? 1.0 : -1.0) * spec.sequence.sign(0) * spec.sequence.sign(2);
-        const DoubleDouble first = exact[0] + scaled(exact[2] - last[2], sum_sign);
-        v[0] = plus_half_turns(first, 2.0 * nearest_turns(last[0] - first.hi, unit), unit).hi;
-        v[1] = plus_half_turns(exact[1], 2.0 * nearest_turns(last[1] - v[1], unit), unit).hi;
+        const T first = exact[0] + scaled(exact[2] - T(last[2]), sum_sign);
+        const double turns[] = {nearest_turns(last[0] - to_double(first), unit), nearest_turns(last[1] - v[1], unit)};
         v[2] = last[2];
-        return;
+        const bool decided = round_to(plus_half_turns(first, 2.0 * turns[0], unit), false, v[0]);
+        return round_to(plus_half_turns(exact[1], 2.0 * turns[1], unit), false, v[1]) && decided;
     }
     const double pi = half_turn_in(unit).hi;
     Triple chosen(spec, false, last, v);
@@ -176,12 +179,22 @@ void choose_nearest(const Spec& spec, const double* last, DiagnosticSet diagnost
         const Triple other(spec, true, last, v);
         chosen = other.distance < chosen.distance ? other : chosen;
     }
+    bool decided = true;
     for (std::size_t i = 0; i < 3; ++i) {
         const double sign = i == 1 ? chosen.middle_sign : 1.0;
+        const bool is_exact = unit == AngleUnit::degrees && is_exactly_none(rest[i * rest_size]);
         if (sign < 0.0 || chosen.half_turns[i] != 0.0) {
-            v[i] = plus_half_turns(scaled(exact[i], sign), chosen.half_turns[i], unit).hi + 0.0;
+            const T angle = plus_half_turns(scaled(exact[i], sign), chosen.half_turns[i], unit);
+            decided = round_to(angle, is_exact, v[i]) && decided;
+            decided = decided && (is_exact || !diagnostics.has(DiagnosticKind::near_gimbal_lock) || rest_size > 1);
         }
     }
+    return decided;
+}
+
+bool choose_nearest(const Spec& spec, const double* last, DiagnosticSet diagnostics, std::span<const double> rest,
+                    double* v) noexcept {
+    return in_scalar_of(rest, 3, [&]<class T>(T /*scalar*/) { return choose<T>(spec, last, diagnostics, rest, v); });
 }
 
 double distance_to_lock(const Spec& spec, const double* v) noexcept {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include <Eigen/Geometry>
 
@@ -65,11 +66,12 @@ constexpr auto own_presets = std::to_array<PresetMeaning>({{"scipy", xyzw},
 Eigen::Quaterniond value_of(const Spec& /*spec*/, const double* v) noexcept { return {v[0], v[1], v[2], v[3]}; }
 
 /// q or -q.
-void choose_nearest(const Spec& /*spec*/, const double* last, DiagnosticSet /*diagnostics*/, const double* /*rest*/,
-                    double* q) noexcept {
+bool choose_nearest(const Spec& /*spec*/, const double* last, DiagnosticSet /*diagnostics*/,
+                    std::span<const double> /*rest*/, double* q) noexcept {
     if (last[0] * q[0] + last[1] * q[1] + last[2] * q[2] + last[3] * q[3] < 0.0) {
         std::transform(q, q + 4, q, [](double component) { return 0.0 - component; });
     }
+    return true;
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "../numerics/angles.hpp"
+#include "../numerics/exact_number.hpp"
 #include "../numerics/power_of_two.hpp"
 #include "../numerics/quaternion_algebra.hpp"
 #include "codec.hpp"
@@ -114,33 +115,50 @@ using Eigen::Map;
 using Eigen::Vector3d;
 
 /// n (theta + 2 pi k); without an angle any axis.
-void choose_nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, const double* rest,
+bool choose_nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, std::span<const double> rest,
                     double* r) noexcept {
+    const std::size_t rest_size = rest.size() / 3;
     const double pi = half_turn_in(spec.unit).hi;
     if ((Map<const Vector3d>(r) - Map<const Vector3d>(last)).squaredNorm() < 0.99 * (pi * pi)) {
-        return; // the others are a whole turn and more from these
+        return true; // the others are a whole turn and more from these
     }
     const bool is_identity = largest_magnitude(r[0], r[1], r[2]) == 0.0;
     const double* const along = is_identity ? last : r;
     const double size = largest_magnitude(along[0], along[1], along[2]);
     if (size == 0.0) {
-        return;
+        return true;
     }
     // the vector times a power of two, and its length
     const auto scale = PowerOfTwo::to_unit(size);
-    const auto component = [&](std::size_t i) { return two_sum(scale(along[i]), is_identity ? 0.0 : scale(rest[i])); };
+    const auto component = [&](std::size_t i) {
+        return two_sum(scale(along[i]), is_identity ? 0.0 : scale(rest[i * rest_size]));
+    };
     const std::array vector{component(0), component(1), component(2)};
     const DoubleDouble length = root(sum_of_squares(vector[0], vector[1], vector[2]));
     const DoubleDouble theta =
         is_identity ? DoubleDouble() : DoubleDouble(scale.undone(length.hi), scale.undone(length.lo));
     const double last_along = (vector[0].hi * last[0] + (vector[1].hi * last[1] + vector[2].hi * last[2])) / length.hi;
     const double turns = nearest_turns(last_along - theta.hi, spec.unit);
-    if (turns != 0.0) {
+    if (turns == 0.0) {
+        return true;
+    }
+    bool decided = true;
+    if (rest_size == 1) {
         const DoubleDouble ratio = plus_half_turns(theta, 2.0 * turns, spec.unit) / length;
         for (std::size_t i = 0; i < 3; ++i) {
-            r[i] = scaled_product(ratio, -PowerOfTwo::exponent_of_unit(size), along[i], is_identity ? 0.0 : rest[i]);
+            const DoubleDouble exact = two_sum(along[i], is_identity ? 0.0 : rest[i]);
+            decided = round_product(ratio, -PowerOfTwo::exponent_of_unit(size), exact, r[i]) && decided;
         }
+        return decided;
     }
+    const Wide::Bits enough(Wide::bits_of_rest);
+    const auto exact = is_identity ? std::array{Wide(last[0]), Wide(last[1]), Wide(last[2])} : exact_vector(r, rest);
+    const Wide own = root(sum_of_squares(exact[0], exact[1], exact[2]));
+    const Wide ratio = plus_half_turns(is_identity ? Wide() : own, 2.0 * turns, spec.unit) / own;
+    for (std::size_t i = 0; i < 3; ++i) {
+        decided = round_to(ratio * exact[i], false, r[i]) && decided;
+    }
+    return decided;
 }
 
 /// By whole turns, past a half-turn.

@@ -56,8 +56,15 @@ std::size_t RowOperation::run(const NumberRows& rows, std::span<double> out, std
         for (ResultPart& part : parts) {
             if (part.follows) {
                 const std::span<double> numbers = is_alone ? out : part.out;
+                ContinuousNumbers::Again again;
+                if (part.again) {
+                    again = [&](std::size_t row, std::span<double> canonical, std::span<double> rest) {
+                        const std::size_t size = rows.numbers.size() / rows.lines.size();
+                        part.again(rows.numbers.subspan(row * size, size), canonical, rest);
+                    };
+                }
                 part.follows->run(numbers.first(answered * part.names.size()), is_alone ? reports : part.reports,
-                                  part.rest);
+                                  part.rest, again);
             }
         }
     };

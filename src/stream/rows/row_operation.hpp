@@ -82,6 +82,8 @@ struct ResultPart {
     std::optional<Spec> attitude{};
     RowFunction function{};
     std::shared_ptr<ContinuousNumbers> follows{}; ///< makes the numbers continuous, for all threads; null: nothing does
+    /// The numbers of one row, for that, and their rest in as many doubles as there is room for; may be empty.
+    std::function<void(std::span<const double> row, std::span<double> numbers, std::span<double> rest)> again{};
     // Of the rows at hand, reused:
     std::vector<double> out{};
     std::vector<double> rest{};
