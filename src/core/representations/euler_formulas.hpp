@@ -135,10 +135,11 @@ template <class T> struct TurnVectors {
 /// = min(C, S)/max(C, S) is at most tan(lock margin/2).
 struct LockLimit {
     /// Margins that lock all attitudes at one end, though the other may be nearer.
-    static constexpr double at_lower = -1.0, at_upper = -2.0;
+    static constexpr double at_lower = -0x1p1000, at_upper = -0x1p1001;
 
     explicit LockLimit(double lock_margin) noexcept
-        : locks_all(lock_margin >= 0.5 * exact_pi.hi || lock_margin < 0.0), end(lock_margin < 0.0 ? lock_margin : 0.0) {
+        : locks_all(lock_margin >= 0.5 * exact_pi.hi || lock_margin <= at_lower),
+          end(lock_margin <= at_lower ? lock_margin : 0.0) {
         if (lock_margin < 1e-9) {
             tangent = 0.5 * lock_margin;
         } else if (!locks_all) {
