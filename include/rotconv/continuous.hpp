@@ -16,8 +16,7 @@ namespace rotconv {
 /// the third angle keeps its last value; at the identity, after any number of whole turns, the axis does.
 class ContinuousNumbers {
 public:
-    /// Gives the canonical numbers of a row of run() once more, and their rest in many doubles, as Conversion::run()
-    /// does.
+    /// Gives the canonical numbers of a row of run() once more, and their rest in many doubles, by Conversion::again().
     using Again = std::function<void(std::size_t row, std::span<double> numbers, std::span<double> rest)>;
 
     explicit ContinuousNumbers(const Spec& spec) noexcept;

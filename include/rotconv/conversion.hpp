@@ -105,8 +105,7 @@ public:
     /// @param reports is replaced by the reports of the rows that have an error or a diagnostic (with
     /// ConversionSettings::sensitivity, of all rows), in row order. Most rows have none. A vector that is reused is not
     /// allocated again
-    /// @param rest if not empty, receives the exact numbers less those written, for ContinuousNumbers::run(), each as a
-    /// sum of as many doubles as there is room for
+    /// @param rest if not empty, receives the exact numbers less those written, for ContinuousNumbers::run()
     /// @throw std::invalid_argument if `in` is not whole rows, or `out` or `rest` has no room for the results
     ///
     /// Eigen stores matrices by columns and quaternions as x y z w: the elements of a vector of Eigen::Matrix3d are
@@ -114,8 +113,14 @@ public:
     ///     Conversion(eigen_matrix, eigen_quaternion).run(numbers_of(matrices), numbers_of(quaternions), reports);
     void run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
              std::span<double> rest = {}) const;
+    /// The numbers of one row once more. What the exact ones have beside those written is a sum of doubles, for each
+    /// number as many as `rest` has room for; for ContinuousNumbers::Again.
+    void again(std::span<const double> row, std::span<double> numbers, std::span<double> rest) const;
 
 private:
+    void run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports, std::span<double> rest,
+             std::size_t rest_size) const;
+
     Spec from_;
     Spec to_;
     ConversionSettings settings_;

@@ -65,13 +65,20 @@ stream::RowNumbers pair_numbers(stream::RowNumbers numbers, const PairedRows& ro
     return numbers;
 }
 
+namespace {
+
+/// See ResultPart::again.
+auto again_by(const auto& core) {
+    return [core](std::span<const double> row, std::span<double> numbers, std::span<double> rest) {
+        core.again(row, numbers, rest);
+    };
+}
+
+} // namespace
+
 Operation convert(const Conversion& conversion, bool continuous) {
     auto made = operation_of(function_of(conversion), attitude_numbers(conversion.from()), conversion.to(), continuous);
-    made->parts[0].again = [conversion](std::span<const double> row, std::span<double> numbers,
-                                        std::span<double> rest) {
-        std::vector<RowReport> reports;
-        conversion.run(row, numbers, reports, rest);
-    };
+    made->parts[0].again = again_by(conversion);
     return made;
 }
 
@@ -79,9 +86,13 @@ Operation compose(const Composition& composition, const PairedRows& rows, bool c
     const Spec& first = composition.first();
     const Spec& to = composition.to();
     const RowFunction between = function_of(Composition(first, Spec{}, to, composition.settings()));
-    return operation_of(
+    auto made = operation_of(
         of_pairs(function_of(composition), between, rows, first.size(), composition.second(), composition.settings()),
         pair_numbers(attitude_numbers(first), rows, composition.second()), to, continuous);
+    if (!rows.interpolates) {
+        made->parts[0].again = again_by(composition);
+    }
+    return made;
 } // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): the functions free what they hold
 
 Operation rotate(const VectorRotation& rotation) {

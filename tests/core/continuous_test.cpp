@@ -372,7 +372,7 @@ TEST_CASE("numbers that whole turns move are rounded once, next to midpoints too
             conversion.run(row, result, reports, left);
             numbers.run(result, reports, left, [&](std::size_t, std::span<double> again, std::span<double> more) {
                 ++asked;
-                conversion.run(row, again, reports, more);
+                conversion.again(row, again, more);
             });
             INFO(to_text << " of " << row[0] << " " << row[3]);
             CHECK(result[at] == Real((turn - 2 * atan(Real(h[1]) / k[1])) / unit).convert_to<double>());

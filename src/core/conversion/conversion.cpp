@@ -133,6 +133,16 @@ Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSetting
 
 void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
                      std::span<double> rest) const {
+    run(in, out, reports, rest, 1);
+}
+
+void Conversion::again(std::span<const double> row, std::span<double> numbers, std::span<double> rest) const {
+    std::vector<RowReport> reports;
+    run(row, numbers, reports, rest, rest.size() / to_.size());
+}
+
+void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
+                     std::span<double> rest, std::size_t rest_size) const {
     reports.clear();
     // Passive output writes the inverse, (L R S)' = S' R' L': left and right change places and are inverted.
     const FixedRotation left = to_.passive ? settings_.right.inverse() : settings_.left;
@@ -140,9 +150,8 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
     const FixedRotations fixed = fixed_rotations(left, right);
     const auto convert = settings_.fast ? kernel_table().convert_fast : kernel_table().convert;
     const std::size_t width = to_.size();
-    const std::size_t numbers_written = in.size() / from_.size() * width;
-    const std::size_t rest_size = rest.empty() || numbers_written == 0 ? 1 : rest.size() / numbers_written;
-    check_size(rest.empty() ? out.size() : rest.size(), numbers_written * rest_size);
+    check_size(rest.empty() ? out.size() : rest.size(),
+               in.size() / from_.size() * width * (rest.empty() ? 1 : rest_size));
     const ConversionBatch batch{&from_, &to_, settings_.lock_margin, &fixed, zeros_.get(), rest_size};
     const auto run_batch = [&](const double* numbers, std::size_t rows, double* written, std::size_t first) {
         InputBatch input(from_, numbers, rows, from_.size());

@@ -89,6 +89,13 @@ void settle_all(const CarefulTask& task, const double* in, std::size_t rows, con
     }
 }
 
+/// 106 bits do not tell that a number has no rest: -0 becomes 0.
+void forget_zeros(double* rest, std::size_t count) noexcept {
+    for (std::size_t k = 0; k < count && rest != nullptr; ++k) {
+        rest[k] += 0.0;
+    }
+}
+
 template <class T> void convert(const ConversionBatch& batch, const double* in, std::size_t rows,
                                 AttitudeBatch<double>& rounded, double* out, double* rest,
                                 DiagnosticSet* diagnostics) noexcept {
@@ -97,9 +104,7 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
     std::uint64_t doubts[batch_rows] = {};
     bool open[batch_rows] = {};
     convert_plainly(batch, in, rows, attitudes, out, rest, diagnostics, doubts);
-    for (std::size_t k = 0; k < rows * batch.to->size() && rest != nullptr; ++k) {
-        rest[k] += 0.0; // 106 bits do not tell that there is none
-    }
+    forget_zeros(rest, rows * batch.to->size());
     round(attitudes, rows, rounded);
     if constexpr (!std::is_same_v<T, double>) {
         settle_all(task, in, rows, diagnostics, doubts, rounded, out, rest, open);
@@ -203,20 +208,25 @@ bool are_known(const CarefulTask& task, const CarefulRow& row, double* numbers, 
     return known;
 }
 
-/// All rows in Wide, which has more than the bits of `rest`.
-void convert_carefully(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
+/// A row that has been answered to 106 bits once more, with a rest of several doubles: in Wide, unless it is known.
+void answer_with_rest(const CarefulTask& task, const CarefulRow& row, double* numbers, double* rest,
+                      std::size_t rest_size, std::size_t place, AttitudeBatch<double>& rounded,
+                      DiagnosticSet& diagnostics) noexcept {
+    if (rounded.error[place] == Error::none &&
+        !are_known(at_lock(task, diagnostics, numbers[1]), row, numbers, rest, rest_size)) {
+        const Wide::Bits enough(Wide::bits_of_rest);
+        answer_once(task, row, numbers, rest, rest_size, place, rounded, diagnostics);
+    }
+}
+
+void convert_with_rest(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
                        double* out, double* rest, DiagnosticSet* diagnostics) noexcept {
     const CarefulTask task = task_of(batch);
+    const std::size_t size = batch.to->size();
     convert<DoubleDouble>(batch, in, rows, rounded, out, nullptr, diagnostics);
-    const Wide::Bits enough(Wide::bits_of_rest);
     for (std::size_t i = 0; i < rows; ++i) {
-        const CarefulRow row{in + i * batch.from->size(), nullptr};
-        double* const numbers = out + i * batch.to->size();
-        double* const own_rest = rest + i * batch.to->size() * batch.rest_size;
-        if (rounded.error[i] == Error::none &&
-            !are_known(at_lock(task, diagnostics[i], numbers[1]), row, numbers, own_rest, batch.rest_size)) {
-            answer_once(task, row, numbers, own_rest, batch.rest_size, i, rounded, diagnostics[i]);
-        }
+        answer_with_rest(task, {in + i * batch.from->size(), nullptr}, out + i * size,
+                         rest + i * size * batch.rest_size, batch.rest_size, i, rounded, diagnostics[i]);
     }
 }
 
@@ -225,7 +235,7 @@ void convert_in_phases(const ConversionBatch& batch, const double* in, std::size
                        double* out, double* rest, DiagnosticSet* diagnostics) noexcept {
     bool open[batch_rows];
     if (batch.rest_size > 1) {
-        convert_carefully(batch, in, rows, rounded, out, rest, diagnostics);
+        convert_with_rest(batch, in, rows, rounded, out, rest, diagnostics);
     } else if (rest != nullptr || !convert_first(batch, in, rows, rounded, out, open)) {
         convert<DoubleDouble>(batch, in, rows, rounded, out, rest, diagnostics);
     } else {
@@ -324,15 +334,19 @@ void multiply(const ProductBatch& batch, const double* first, const double* seco
     }
     invert_if(to.passive, product, rows);
     std::uint64_t doubts[batch_rows] = {};
-    kernel_of(to.name).exact.write(to, batch.lock_margin, product, rows, out, rest, diagnostics, doubts);
+    kernel_of(to.name).exact.write(to, batch.lock_margin, product, rows, out, batch.rest_size > 1 ? nullptr : rest,
+                                   diagnostics, doubts);
+    forget_zeros(rest, batch.rest_size > 1 ? 0 : rows * to.size());
     const auto set_open = [&](std::size_t i) { doubts[i] = other_doubt; };
     for_each_careful_row(*batch.first, first, product, rows, set_open);
     for_each_careful_row(*batch.second, second, product, rows, set_open);
     for (std::size_t i = 0; i < rows; ++i) {
         const CarefulRow row{first + i * batch.first->size(), second + i * batch.second->size()};
-        double* const own_rest = rest == nullptr ? nullptr : rest + i * to.size();
-        if (doubts[i] != 0 && product.error[i] == Error::none &&
-            !settle(task, row, diagnostics[i], doubts[i], out + i * to.size(), own_rest)) {
+        double* const own_rest = rest == nullptr ? nullptr : rest + i * to.size() * batch.rest_size;
+        if (batch.rest_size > 1) {
+            answer_with_rest(task, row, out + i * to.size(), own_rest, batch.rest_size, i, *rounded[2], diagnostics[i]);
+        } else if (doubts[i] != 0 && product.error[i] == Error::none &&
+                   !settle(task, row, diagnostics[i], doubts[i], out + i * to.size(), own_rest)) {
             diagnostics[i] = answer_carefully(task, row, out + i * to.size(), own_rest, i, *rounded[2]);
         }
     }

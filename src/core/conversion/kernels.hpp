@@ -65,6 +65,7 @@ struct ProductBatch {
     const Spec* to;
     double lock_margin;
     ZeroTable* zeros;
+    std::size_t rest_size = 1; ///< see ConversionBatch
 };
 
 /// The functions that are compiled for one kind of processor. Batches have at most `batch_rows` rows. Numbers are in

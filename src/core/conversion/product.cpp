@@ -39,11 +39,22 @@ Composition::Composition(const Spec& first, const Spec& second, const Spec& to, 
 
 void Composition::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
                       std::span<double> rest) const {
+    run(in, out, reports, rest, 1);
+}
+
+void Composition::again(std::span<const double> row, std::span<double> numbers, std::span<double> rest) const {
+    std::vector<RowReport> reports;
+    run(row, numbers, reports, rest, rest.size() / to_.size());
+}
+
+void Composition::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
+                      std::span<double> rest, std::size_t rest_size) const {
     reports.clear();
     const std::size_t width = first_.size() + second_.size();
-    check_size(rest.empty() ? out.size() : rest.size(), in.size() / width * to_.size());
+    check_size(rest.empty() ? out.size() : rest.size(),
+               in.size() / width * to_.size() * (rest.empty() ? 1 : rest_size));
     const FixedRotations fixed = fixed_rotations(settings_.left, settings_.right);
-    const ProductBatch batch{&first_, &fixed, &second_, &to_, settings_.lock_margin, zeros_.get()};
+    const ProductBatch batch{&first_, &fixed, &second_, &to_, settings_.lock_margin, zeros_.get(), rest_size};
     const auto run_batch = [&](const double* numbers, std::size_t rows, double* written, std::size_t begin) {
         InputBatch first(first_, numbers, rows, width);
         InputBatch second(second_, numbers + first_.size(), rows, width);
@@ -51,7 +62,7 @@ void Composition::run(std::span<const double> in, std::span<double> out, std::ve
         std::array<DiagnosticSet, batch_rows> diagnostics{};
         std::array<double, batch_rows * most_numbers> own;
         kernel_table().multiply(batch, first.own(), second.own(), rows, {&first.attitudes, &second.attitudes, &product},
-                                own.data(), rest.empty() ? nullptr : rest.data() + begin * to_.size(),
+                                own.data(), rest.empty() ? nullptr : rest.data() + begin * to_.size() * rest_size,
                                 diagnostics.data());
         to_written_order(to_, own.data(), rows, written);
         report_rows(

@@ -8,7 +8,7 @@ namespace {
 
 /// The smallest number of rows that is worth handing on as a job, and the largest.
 constexpr std::size_t enough_rows = 256;
-constexpr std::size_t most_rows = 2048;
+constexpr std::size_t most_pairs = 2048;
 /// The largest number of texts that a job with few rows may hold: the rows between them may have been left out.
 constexpr std::size_t most_texts = 8;
 /// The largest numbers of lines and of bytes between a row and the next row whose key must be known.
@@ -181,7 +181,7 @@ bool PairReader::read(Job& job) {
                                       : act(job, match(row, reference));
         const std::size_t rows = job.pairs.read.rows.size();
         const bool holds_much = rows >= enough_rows || (rows > 0 && job.pairs.texts.size() >= most_texts);
-        if (rows >= most_rows || (dry_ != nullptr && holds_much)) {
+        if (rows >= most_pairs || (dry_ != nullptr && holds_much)) {
             return true;
         }
         if (dry_ != nullptr) {
