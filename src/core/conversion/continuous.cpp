@@ -54,9 +54,6 @@ void ContinuousNumbers::choose(std::span<double> own, DiagnosticSet diagnostics,
     std::array<double, rest_size * most_numbers> more{};
     const auto all = std::span(more).first(rest_size * own.size());
     again(row, std::span(numbers).first(own.size()), all);
-    if (std::equal(own.begin(), own.end(), canonical.begin())) {
-        return;
-    }
     if (std::equal(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(own.size()), canonical.begin())) {
         std::ranges::copy_n(canonical.begin(), static_cast<std::ptrdiff_t>(own.size()), own.begin());
         static_cast<void>(codec_->choose_nearest(spec_, last_.data(), diagnostics, all, own.data()));

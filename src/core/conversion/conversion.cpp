@@ -148,7 +148,7 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
     const FixedRotation left = to_.passive ? settings_.right.inverse() : settings_.left;
     const FixedRotation right = to_.passive ? settings_.left.inverse() : settings_.right;
     const FixedRotations fixed = fixed_rotations(left, right);
-    const auto convert = settings_.fast ? kernel_table().convert_fast : kernel_table().convert;
+    const auto convert = settings_.fast && rest_size == 1 ? kernel_table().convert_fast : kernel_table().convert;
     const std::size_t width = to_.size();
     check_size(rest.empty() ? out.size() : rest.size(),
                in.size() / from_.size() * width * (rest.empty() ? 1 : rest_size));

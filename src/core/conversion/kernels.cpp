@@ -203,7 +203,7 @@ bool are_known(const CarefulTask& task, const CarefulRow& row, double* numbers, 
             own[i] = -0.0;
         }
         known = numbers[k] == 0.0 ? are_zeros(task, row, std::uint64_t{1} << k, true)
-                                  : round_sum(task, row, k, numbers[k], own);
+                                  : round_sum(task, row, k, numbers[k], own, rest_size);
     }
     return known;
 }

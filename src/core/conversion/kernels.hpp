@@ -40,7 +40,7 @@ struct FixedRotations {
 };
 inline constexpr FixedRotations no_rotations{};
 
-/// What is known of the zeros of a conversion, see careful_rows.hpp: entries that are read and written as a whole.
+/// What is known of the zeros of a conversion, see known_numbers.hpp: entries that are read and written as a whole.
 struct ZeroTable {
     static constexpr std::size_t size = 1024;
     std::uint64_t entries[size]{};
@@ -54,7 +54,8 @@ struct ConversionBatch {
     double lock_margin;
     const FixedRotations* fixed; ///< of the attitudes as they are written
     ZeroTable* zeros;            ///< may be null
-    std::size_t rest_size = 1;   ///< how many doubles of `rest` a number has; with more than one all rows are careful
+    std::size_t rest_size =
+        1; ///< how many doubles of `rest` a number has; more than one for rows that are answered once more
 };
 
 /// What a batch of products of two attitudes needs beside its rows.

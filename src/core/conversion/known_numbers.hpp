@@ -11,24 +11,23 @@ inline namespace ROTCONV_TARGET {
 // Numbers that are exactly 0. No number of bits proves that sin a cos a - cos a sin a is 0, but the formulas are
 // analytic functions of the numbers of a row: what is 0 in a row whose numbers have nothing to do with each other is 0
 // in all rows with the same pattern, of numbers that are 0, and angles that are multiples of 90 or 15 degrees, which
-// stay as they are (a test of identities, as Schwartz and Zippel have it for polynomials). Of matrices the signs of
-// the large entries belong to it: with others, what is 0 may be another number (r11 = 1 and -1 in a turn about x).
+// stay as they are (a test of identities, as Schwartz and Zippel have it for polynomials). Of matrices and axes the
+// signs belong to it: with others, what is 0 may be another number (r11 = 1 and -1 in a turn about x).
 
-enum : unsigned { code_of_zero = 0, code_of_any = 1, code_of_multiple = 2, code_of_large = 2 }; // and up to 47 more
+enum : unsigned { code_of_zero = 0, code_of_any = 1, code_of_multiple = 2, code_of_negative = 2 }; // and up to 47 more
 
 inline bool is_angle_in_degrees(const Spec* spec, const double* numbers, std::size_t k) noexcept {
     if (spec == nullptr || spec->unit != AngleUnit::degrees) {
         return false;
     }
     const bool is_length = spec->name == RepresentationId::rotvec && // one number alone
-                           __builtin_fabs(numbers[0]) + __builtin_fabs(numbers[1]) + __builtin_fabs(numbers[2]) ==
-                               __builtin_fabs(numbers[k]);
+                           numbers[(k + 1) % 3] == 0.0 && numbers[(k + 2) % 3] == 0.0;
     return is_length || spec->name == RepresentationId::euler || spec->name == RepresentationId::rpy ||
            (spec->name == RepresentationId::axis_angle && k == 3);
 }
 
 /// The numbers of an attitude or of a vector as a pattern has them. Of angles multiples of `step` degrees, 90 or 15,
-/// are known.
+/// are known, and of matrices and axes the signs.
 class PartOfPattern {
 public:
     PartOfPattern(const Spec* spec, const double* numbers, double step) noexcept
@@ -41,20 +40,23 @@ public:
                      spec->name == RepresentationId::five_d;
         size_ = spec->size();
         column_ = spec->name == RepresentationId::two_column ? 3 : size_; // each is of a size of its own
+        double square = 0.0;
         for (std::size_t k = 0; k < size_ && is_matrix_; ++k) {
             small_[k / column_] = larger_of(small_[k / column_], 0x1p-8 * __builtin_fabs(numbers[k]));
+            square += numbers[k] * numbers[k];
         }
+        sign_of_r11_ = spec->name == RepresentationId::five_d && square > 1.0 ? 1U : 0U;
     }
 
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] unsigned sign_of_r11() const noexcept { return sign_of_r11_; } ///< which numbers of 5d do not show
     [[nodiscard]] unsigned code(std::size_t k) const noexcept {
         const double number = numbers_[k];
         if (number == 0.0) {
             return code_of_zero;
         }
-        if (is_matrix_) {
-            return __builtin_fabs(number) <= small_[k / column_] ? code_of_any
-                                                                 : code_of_large + (number < 0.0 ? 1U : 0U);
+        if (has_sign(k)) {
+            return number < 0.0 ? code_of_negative : code_of_any;
         }
         const double multiple = number / step_;
         if (!is_angle_in_degrees(spec_, numbers_, k) || !(__builtin_fabs(multiple) < 0x1p28)) {
@@ -67,31 +69,44 @@ public:
         const int fifteens = whole * (step_ == 90.0 ? 6 : 1) % 48;
         return code_of_multiple + static_cast<unsigned>(fifteens < 0 ? fifteens + 48 : fifteens);
     }
-    [[nodiscard]] bool is_known(unsigned code) const noexcept { return code != code_of_any && !is_matrix_; }
+    [[nodiscard]] bool is_known(std::size_t k) const noexcept {
+        return numbers_[k] == 0.0 || (!has_sign(k) && code(k) != code_of_any);
+    }
     [[nodiscard]] unsigned bits(std::size_t k) const noexcept {
-        return has_angles_ && (size_ == 3 || k == 3) ? 6U : is_matrix_ ? 2U : 1U;
+        return has_sign(k) ? 2U : has_angles_ && (size_ == 3 || k == 3) ? 6U : 1U;
     }
     /// Another number of the same code; of a matrix it is to stay near a rotation.
     [[nodiscard]] double stand_in(std::size_t k, double fraction) const noexcept {
-        const double other = (0.25 + 0.5 * fraction) * (has_angles_ ? 57.0 : 1.0);
-        const unsigned own = code(k);
-        return own == code_of_any ? (is_matrix_ ? small_[k / column_] : 1.0) * other
-               : is_matrix_       ? numbers_[k] * (1.0 + 0x1p-12 * fraction)
-                                  : numbers_[k];
+        const double number = numbers_[k];
+        if (is_known(k)) {
+            return number;
+        }
+        const double other = 0.25 + 0.5 * fraction;
+        if (!has_sign(k)) {
+            return (has_angles_ ? 57.0 : 1.0) * other;
+        }
+        const bool is_large = is_matrix_ && __builtin_fabs(number) > small_[k / column_];
+        return is_large ? number * (1.0 + 0x1p-12 * fraction)
+                        : __builtin_copysign((is_matrix_ ? small_[k / column_] : 1.0) * other, number);
     }
 
 private:
+    [[nodiscard]] bool has_sign(std::size_t k) const noexcept {
+        return is_matrix_ || (size_ == 4 && k < 3 && spec_->name == RepresentationId::axis_angle);
+    }
+
     const Spec* spec_; ///< null of a vector
     const double* numbers_;
     double step_;
     bool has_angles_;
     bool is_matrix_ = false;
+    unsigned sign_of_r11_ = 0;
     std::size_t size_ = 3;
     std::size_t column_ = 3;
     double small_[2] = {}; ///< entries of its columns up to here are small
 };
 
-/// The pattern of a row: the codes of its numbers, in 38 bits at most. `all_known`: there is no other number in it.
+/// The pattern of a row: the codes of its numbers, in 40 bits at most. `all_known`: there is no other number in it.
 inline std::uint64_t zero_pattern(const CarefulTask& task, const CarefulRow& row, double step,
                                   bool& all_known) noexcept {
     all_known = !task.fixed->has_left && !task.fixed->has_right;
@@ -99,10 +114,10 @@ inline std::uint64_t zero_pattern(const CarefulTask& task, const CarefulRow& row
                             : task.lock_margin == LockLimit::at_upper ? 2
                                                                       : 0;
     const auto add = [&](const PartOfPattern& part) {
+        pattern = pattern << 1U | part.sign_of_r11();
         for (std::size_t k = 0; k < part.size(); ++k) {
-            const unsigned code = part.code(k);
-            all_known = all_known && part.is_known(code);
-            pattern = pattern << part.bits(k) | code;
+            all_known = all_known && part.is_known(k);
+            pattern = pattern << part.bits(k) | part.code(k);
         }
     };
     add({task.first, row.first, step});
@@ -112,14 +127,16 @@ inline std::uint64_t zero_pattern(const CarefulTask& task, const CarefulRow& row
     return pattern;
 }
 
-/// At gimbal lock angles are other functions of a row: the task whose rows are all locked, at the end where the row is.
+/// The task for other rows that are like a row: all locked, at the end where it is, for there angles are other
+/// functions of a row; or, if it is not locked, none.
 inline CarefulTask at_lock(const CarefulTask& task, DiagnosticSet diagnostics, double middle) noexcept {
-    CarefulTask locked = task;
+    CarefulTask like = task;
+    like.lock_margin = 0.0;
     if (diagnostics.has(DiagnosticKind::gimbal_lock)) {
         const AngleRanges ranges(FixedAxes(task.to->sequence), *task.to);
-        locked.lock_margin = middle == ranges.upper.hi ? LockLimit::at_upper : LockLimit::at_lower;
+        like.lock_margin = middle == ranges.upper.hi ? LockLimit::at_upper : LockLimit::at_lower;
     }
-    return locked;
+    return like;
 }
 
 /// Other numbers of the same pattern.
@@ -150,6 +167,10 @@ inline bool has_tiny(const FixedFactor* factors, std::size_t count) noexcept {
     return found;
 }
 
+inline bool has_half_turns(const CarefulTask& task) noexcept {
+    return task.to != nullptr && (task.to->name == RepresentationId::euler || task.to->name == RepresentationId::rpy);
+}
+
 /// Bit k: the number k is 0, or an angle of half a turn, in all rows of the row's pattern; bit 16 + k: the component k
 /// of the attitude is.
 inline std::uint32_t zeros_of_stand_ins(const CarefulTask& task, const CarefulRow& other,
@@ -172,14 +193,12 @@ inline std::uint32_t zeros_of_stand_ins(const CarefulTask& task, const CarefulRo
     }
     write_carefully(task, other, q, results);
     const std::size_t size = task.to == nullptr ? 3 : task.to->size();
-    const bool has_half_turns =
-        task.to != nullptr && (task.to->name == RepresentationId::euler || task.to->name == RepresentationId::rpy);
     for (unsigned k = 0; k < size; ++k) {
         const auto beyond = [&](double sign) {
             return results[k] + scaled(Wide::half_turn(task.to->unit == AngleUnit::degrees), sign);
         };
         if (results[k].is_below(least) ||
-            (has_half_turns && (beyond(1.0).is_below(least) || beyond(-1.0).is_below(least)))) {
+            (has_half_turns(task) && (beyond(1.0).is_below(least) || beyond(-1.0).is_below(least)))) {
             zeros |= 1U << k;
         }
     }
@@ -296,8 +315,8 @@ ROTCONV_NOINLINE inline AngleSum find_sum(const CarefulTask& task, const Careful
                 const AngleSum sum{1 + a + AngleSum::base * b};
                 const Careful rest = results[k] - sum.of<Careful>(angles);
                 const double fifteens = __builtin_floor(rest.rounded() / 15.0 + 0.5);
-                if ((rest - Careful(15.0 * fifteens)).is_below(least)) {
-                    const auto whole = static_cast<unsigned>(static_cast<int>(fifteens) + 12 * 64) % 12;
+                if (__builtin_fabs(fifteens) < 0x1p28 && (rest - Careful(15.0 * fifteens)).is_below(least)) {
+                    const auto whole = static_cast<unsigned>((static_cast<int>(fifteens) % 12 + 12) % 12);
                     return AngleSum{sum.code + AngleSum::base * AngleSum::base * whole};
                 }
             }
@@ -306,9 +325,10 @@ ROTCONV_NOINLINE inline AngleSum find_sum(const CarefulTask& task, const Careful
     });
 }
 
-/// Replaces the angle k, which is near the number, by the sum that it is, rounded once; false where it is none.
-inline bool round_sum(const CarefulTask& task, const CarefulRow& row, unsigned k, double& number,
-                      double* rest) noexcept {
+/// Replaces the angle k, which is near the number, by the sum that it is, rounded once; false where it is none, or
+/// may be two.
+inline bool round_sum(const CarefulTask& task, const CarefulRow& row, unsigned k, double& number, double* rest,
+                      std::size_t rest_size) noexcept {
     double angles[AngleSum::most_angles];
     if (task.zeros == nullptr || task.to == nullptr || task.to->unit != AngleUnit::degrees ||
         angles_in_degrees(task, row, angles) == 0 || __builtin_fabs(number) < 1e-6) {
@@ -328,22 +348,31 @@ inline bool round_sum(const CarefulTask& task, const CarefulRow& row, unsigned k
     }
     const Wide::Bits enough(1280);
     const Careful own = sum.of<Careful>(angles) + Careful(sum.constant());
-    int fits = 0;
-    double nearest = number;
-    for (const double sign : {1.0, -1.0}) { // of a middle angle its supplement, too
+    bool fits = false;
+    bool is_one = true;
+    Careful angle;
+    for (const double sign : {1.0, -1.0}) { // the angle of an axis, and the supplement of a middle one, change sign
         const double near = sign * own.rounded();
         const double turns = __builtin_floor((number - near) / 180.0 + 0.5);
-        if ((k == 1 || sign > 0.0) && __builtin_fabs(near + 180.0 * turns - number) < 1e-6) {
-            const Careful angle = scaled(own, sign) + Careful(180.0 * turns);
-            const bool decided = angle.round(nearest);
-            const Careful left = angle - Careful(nearest);
-            *rest = left.may_be_zero() || left.sign() != 0 ? left.rounded() : -0.0;
-            fits += decided ? 1 : 2;
+        if (__builtin_fabs(near + 180.0 * turns - number) < 1e-6) {
+            const Careful other = scaled(own, sign) + Careful(180.0 * turns);
+            is_one = !fits || (other - angle).sign() == 0;
+            angle = other;
+            fits = true;
         }
     }
-    const bool is_end = nearest <= -180.0 || nearest >= 360.0; // which means another number
-    number = fits == 1 && !is_end ? nearest : number;
-    return fits == 1 && !is_end;
+    double nearest = number;
+    if (!fits || !is_one || !angle.round(nearest) || nearest <= -180.0 ||
+        nearest >= 360.0) { // an end is another number
+        return false;
+    }
+    number = nearest;
+    for (std::size_t i = 0; i < rest_size; ++i) {
+        angle = angle - Careful(nearest);
+        nearest = angle.sign() == 0 ? -0.0 : angle.rounded();
+        rest[i] = nearest;
+    }
+    return true;
 }
 
 /// A row with the bits that there are, to numbers, to what they leave, which may be null, in `rest_size` doubles for
@@ -358,7 +387,7 @@ inline bool answer_once(const CarefulTask& task, const CarefulRow& row, double* 
     Careful results[most_numbers];
     read_carefully(task, row, q);
     for (unsigned k = 0; k < 4; ++k) {
-        if (q[k].may_be_zero() && is_zero(task, 16 + k)) {
+        if (q[k].may_be_zero() && is_zero(at_lock(task, {}, 0.0), 16 + k)) {
             q[k] = 0.0;
         }
     }
@@ -372,6 +401,10 @@ inline bool answer_once(const CarefulTask& task, const CarefulRow& row, double* 
             results[k] = 0.0;
         }
         decided = results[k].round(numbers[k]) && decided;
+        if (has_half_turns(task) && k != 1 &&
+            !task.to->positive) { // what is beyond the range by less than a double tells
+            numbers[k] = -larger_of(-numbers[k], -half_turn_in(task.to->unit).hi);
+        }
         double written = numbers[k];
         for (std::size_t i = 0; i < rest_size && rest != nullptr; ++i) {
             const bool is_finite = __builtin_fabs(written) < __builtin_inf();
@@ -404,7 +437,7 @@ inline bool settle(const CarefulTask& general, const CarefulRow& row, Diagnostic
     for (unsigned k = 0; k < most_numbers; ++k) {
         double left = 0.0;
         if ((doubts >> (32U + k) & 1U) != 0 &&
-            !round_sum(task, row, k, numbers[k], rest == nullptr ? &left : rest + k)) {
+            !round_sum(task, row, k, numbers[k], rest == nullptr ? &left : rest + k, 1)) {
             return false;
         }
     }

@@ -27,7 +27,9 @@ template <class T> [[nodiscard]] T exact_number(double number, std::span<const d
         for (const double part : rest) {
             sum = sum + T(part);
         }
-        sum.widen(T(0x1p-52 * rest.back()));
+        if (!is_exactly_none(rest.back())) {
+            sum.widen(T(0x1p-590)); // more than what 640 bits are off by
+        }
         return sum;
     }
 }
@@ -38,19 +40,18 @@ template <class T> [[nodiscard]] T exact_number(double number, std::span<const d
     return {component(0), component(1), component(2)};
 }
 
-/// Rounds once; false where the bits do not tell how. Those of DoubleDouble do, if it is not exact, where it is not
-/// near the middle between two doubles.
-[[nodiscard]] inline bool round_to(const DoubleDouble& exact, bool is_exact, double& number) noexcept {
-    constexpr double doubtful = 0x1p-16;
+/// Rounds once; false where the bits do not tell how: those of DoubleDouble, if it is not exact but off by `error` at
+/// most, next to the middle between two doubles.
+[[nodiscard]] inline bool round_to(const DoubleDouble& exact, bool is_exact, double error, double& number) noexcept {
     number = exact.hi + 0.0;
     const double size = std::fabs(number);
     constexpr std::uint64_t exponent = 0x7ff0000000000000;
     const auto power = std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) & exponent);
     const bool is_below = size == power && std::signbit(exact.lo) != std::signbit(number);
     const double middle = (is_below ? 0x1p-54 : 0x1p-53) * power;
-    return is_exact || !(std::fabs(exact.lo) > (1.0 - doubtful) * middle);
+    return is_exact || std::fabs(exact.lo) + error < middle;
 }
-[[nodiscard]] inline bool round_to(const Wide& exact, bool /*is_exact*/, double& number) noexcept {
+[[nodiscard]] inline bool round_to(const Wide& exact, bool /*is_exact*/, double /*error*/, double& number) noexcept {
     const bool decided = exact.round(number);
     number += 0.0;
     return decided;
@@ -65,17 +66,20 @@ template <class What> bool in_scalar_of(std::span<const double> rest, std::size_
     return what(DoubleDouble());
 }
 
-/// Rounds `ratio` 2^`exponent` times the component, whose sum is exact; false as above. The product is formed at unit
-/// size, so that nothing of it underflows.
+/// Rounds `ratio` 2^`exponent` times the component, whose sum is exact, of a vector of which the largest is `largest`;
+/// false as above. The product is formed at unit size, so that nothing of it underflows.
 [[nodiscard]] inline bool round_product(const DoubleDouble& ratio, int exponent, const DoubleDouble& component,
-                                        double& number) noexcept {
+                                        double largest, double& number) noexcept {
     constexpr int least = -1200; // the result is 0 there
     const int own = PowerOfTwo::exponent_of_unit(__builtin_fabs(component.hi));
     const PowerOfTwo to_unit(-own);
     const int power = exponent + own;
-    const bool decided = round_to(ratio * DoubleDouble(to_unit(component.hi), to_unit(component.lo)), false, number);
+    const double error = std::fabs(ratio.hi) * (0x1p-90 * to_unit(largest) + 0x1p-69);
+    const bool is_zero = component.hi == 0.0;
+    const bool decided =
+        round_to(ratio * DoubleDouble(to_unit(component.hi), to_unit(component.lo)), is_zero, error, number);
     number = PowerOfTwo(power < least ? least : power)(number) + 0.0;
-    return decided && (component.hi == 0.0 || std::fabs(number) >= std::numeric_limits<double>::min());
+    return decided && (is_zero || std::fabs(number) >= std::numeric_limits<double>::min());
 }
 
 } // namespace rotconv

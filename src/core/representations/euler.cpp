@@ -168,9 +168,11 @@ template <class T> bool choose(const Spec& spec, const double* last, DiagnosticS
             (is_low == (axes.proper || axes.sign > 0.0) ? 1.0 : -1.0) * spec.sequence.sign(0) * spec.sequence.sign(2);
         const T first = exact[0] + scaled(exact[2] - T(last[2]), sum_sign);
         const double turns[] = {nearest_turns(last[0] - to_double(first), unit), nearest_turns(last[1] - v[1], unit)};
+        const double turn = 2.0 * half_turn_in(unit).hi;
+        const double error = 0x1p-69 * (std::fabs(last[2]) + (2.0 + std::fabs(turns[0]) + std::fabs(turns[1])) * turn);
         v[2] = last[2];
-        const bool decided = round_to(plus_half_turns(first, 2.0 * turns[0], unit), false, v[0]);
-        return round_to(plus_half_turns(exact[1], 2.0 * turns[1], unit), false, v[1]) && decided;
+        const bool decided = round_to(plus_half_turns(first, 2.0 * turns[0], unit), false, error, v[0]);
+        return round_to(plus_half_turns(exact[1], 2.0 * turns[1], unit), false, error, v[1]) && decided;
     }
     const double pi = half_turn_in(unit).hi;
     Triple chosen(spec, false, last, v);
@@ -185,7 +187,8 @@ template <class T> bool choose(const Spec& spec, const double* last, DiagnosticS
         const bool is_exact = unit == AngleUnit::degrees && is_exactly_none(rest[i * rest_size]);
         if (sign < 0.0 || chosen.half_turns[i] != 0.0) {
             const T angle = plus_half_turns(scaled(exact[i], sign), chosen.half_turns[i], unit);
-            decided = round_to(angle, is_exact, v[i]) && decided;
+            const double error = 0x1p-69 * (2.0 + std::fabs(chosen.half_turns[i])) * pi;
+            decided = round_to(angle, is_exact, error, v[i]) && decided;
             decided = decided && (is_exact || !diagnostics.has(DiagnosticKind::near_gimbal_lock) || rest_size > 1);
         }
     }

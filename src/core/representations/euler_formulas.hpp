@@ -193,7 +193,11 @@ struct AngleRanges {
 
     /// In (-pi, pi] or (-180, 180], as it is printed.
     template <class T> [[nodiscard]] ROTCONV_INLINE T outer(const T& angle) const noexcept {
-        return select(printed(angle) <= -half_turn.hi, T(half_turn.hi), angle);
+        if constexpr (std::is_same_v<T, Wide>) { // with what it has beside the number that is printed
+            return printed(angle) <= -half_turn.hi ? angle + whole_turn<T>() : angle;
+        } else {
+            return select(printed(angle) <= -half_turn.hi, T(half_turn.hi), angle);
+        }
     }
     /// In [0, 2 pi) or [0, 360), as it is printed: what rounds to the end is 0.
     template <class T> [[nodiscard]] T positive(const T& angle) const noexcept {

@@ -85,9 +85,10 @@ bool choose_nearest(const Spec& /*spec*/, const double* last, DiagnosticSet /*di
     }
     bool decided = true;
     if (rest_size == 1) {
+        const double largest = largest_magnitude(m[0], m[1], m[2]);
         const DoubleDouble ratio = DoubleDouble(-1.0) / square;
         for (std::size_t i = 0; i < 3; ++i) {
-            decided = round_product(ratio, -2 * exponent, two_sum(m[i], rest[i]), m[i]) && decided;
+            decided = round_product(ratio, -2 * exponent, two_sum(m[i], rest[i]), largest, m[i]) && decided;
         }
         return decided;
     }
@@ -95,7 +96,7 @@ bool choose_nearest(const Spec& /*spec*/, const double* last, DiagnosticSet /*di
     const auto exact = exact_vector(m, rest);
     const Wide ratio = Wide(-1.0) / sum_of_squares(exact[0], exact[1], exact[2]);
     for (std::size_t i = 0; i < 3; ++i) {
-        decided = round_to(ratio * exact[i], false, m[i]) && decided;
+        decided = round_to(ratio * exact[i], false, 0.0, m[i]) && decided;
     }
     return decided;
 }

@@ -147,7 +147,7 @@ bool choose_nearest(const Spec& spec, const double* last, DiagnosticSet /*diagno
         const DoubleDouble ratio = plus_half_turns(theta, 2.0 * turns, spec.unit) / length;
         for (std::size_t i = 0; i < 3; ++i) {
             const DoubleDouble exact = two_sum(along[i], is_identity ? 0.0 : rest[i]);
-            decided = round_product(ratio, -PowerOfTwo::exponent_of_unit(size), exact, r[i]) && decided;
+            decided = round_product(ratio, -PowerOfTwo::exponent_of_unit(size), exact, size, r[i]) && decided;
         }
         return decided;
     }
@@ -156,7 +156,7 @@ bool choose_nearest(const Spec& spec, const double* last, DiagnosticSet /*diagno
     const Wide own = root(sum_of_squares(exact[0], exact[1], exact[2]));
     const Wide ratio = plus_half_turns(is_identity ? Wide() : own, 2.0 * turns, spec.unit) / own;
     for (std::size_t i = 0; i < 3; ++i) {
-        decided = round_to(ratio * exact[i], false, r[i]) && decided;
+        decided = round_to(ratio * exact[i], false, 0.0, r[i]) && decided;
     }
     return decided;
 }
