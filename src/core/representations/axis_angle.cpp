@@ -60,9 +60,13 @@ template <class T> bool choose(const Spec& spec, const double* last, std::span<c
         }
     }
     std::transform(v, v + 3, v, [chosen](double component) { return chosen * component + 0.0; });
+    if (turns == 0.0) {
+        v[3] = chosen * v[3] + 0.0;
+        return true;
+    }
     const bool is_exact = spec.unit == AngleUnit::degrees && is_exactly_none(rest_of_angle[0]);
-    return (chosen > 0.0 && turns == 0.0) || round_to(plus_half_turns(scaled(angle, chosen), 2.0 * turns, spec.unit),
-                                                      is_exact, 0x1p-69 * (1.0 + std::fabs(turns)) * turn, v[3]);
+    return round_to(plus_half_turns(scaled(angle, chosen), 2.0 * turns, spec.unit), is_exact,
+                    0x1p-69 * (1.0 + std::fabs(turns)) * turn, v[3]);
 }
 
 bool choose_nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, std::span<const double> rest,

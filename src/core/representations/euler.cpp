@@ -181,16 +181,22 @@ template <class T> bool choose(const Spec& spec, const double* last, DiagnosticS
         const Triple other(spec, true, last, v);
         chosen = other.distance < chosen.distance ? other : chosen;
     }
+    // The vectors of the angles are turned by at most 2^-92 r, see the kernel's bound_of(), and the attitude is off by
+    // as much after 1,000 turns.
+    const double middle = std::fabs(v[1]);
+    const double from_lock = spec.sequence.proper() ? std::min(middle, pi - middle) : 0.5 * pi - middle;
+    const double off = 0x1p-82 * units_per_radian(unit) * units_per_radian(unit) / from_lock;
     bool decided = true;
     for (std::size_t i = 0; i < 3; ++i) {
         const double sign = i == 1 ? chosen.middle_sign : 1.0;
-        const bool is_exact = unit == AngleUnit::degrees && is_exactly_none(rest[i * rest_size]);
-        if (sign < 0.0 || chosen.half_turns[i] != 0.0) {
-            const T angle = plus_half_turns(scaled(exact[i], sign), chosen.half_turns[i], unit);
-            const double error = 0x1p-69 * (2.0 + std::fabs(chosen.half_turns[i])) * pi;
-            decided = round_to(angle, is_exact, error, v[i]) && decided;
-            decided = decided && (is_exact || !diagnostics.has(DiagnosticKind::near_gimbal_lock) || rest_size > 1);
+        if (chosen.half_turns[i] == 0.0) {
+            v[i] = sign * v[i] + 0.0;
+            continue;
         }
+        const bool is_exact = unit == AngleUnit::degrees && is_exactly_none(rest[i * rest_size]);
+        const double error = off + 0x1p-100 * std::fabs(chosen.half_turns[i]) * pi;
+        const T angle = plus_half_turns(scaled(exact[i], sign), chosen.half_turns[i], unit);
+        decided = round_to(angle, is_exact, error, v[i]) && decided;
     }
     return decided;
 }
