@@ -127,6 +127,7 @@ FixedRotations fixed_rotations(const FixedRotation& left, const FixedRotation& r
             left.factors.data(),   left.factors.size(),    right.factors.data(), right.factors.size()};
 }
 
+// NOLINTNEXTLINE(modernize-pass-by-value): the other arguments are references, too
 Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
     : from_(checked(from)), to_(checked(to)), settings_(settings), out_codec_(&codec_of(to.name)),
       zeros_(std::make_shared<ZeroTable>()) {}

@@ -234,7 +234,7 @@ void convert_with_rest(const ConversionBatch& batch, const double* in, std::size
 void convert_in_phases(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
                        double* out, double* rest, DiagnosticSet* diagnostics) noexcept {
     bool open[batch_rows];
-    if (batch.rest_size > 1) {
+    if (batch.rest_size > 1 && rest != nullptr) {
         convert_with_rest(batch, in, rows, rounded, out, rest, diagnostics);
     } else if (rest != nullptr || !convert_first(batch, in, rows, rounded, out, open)) {
         convert<DoubleDouble>(batch, in, rows, rounded, out, rest, diagnostics);
@@ -343,7 +343,7 @@ void multiply(const ProductBatch& batch, const double* first, const double* seco
     for (std::size_t i = 0; i < rows; ++i) {
         const CarefulRow row{first + i * batch.first->size(), second + i * batch.second->size()};
         double* const own_rest = rest == nullptr ? nullptr : rest + i * to.size() * batch.rest_size;
-        if (batch.rest_size > 1) {
+        if (batch.rest_size > 1 && own_rest != nullptr) {
             answer_with_rest(task, row, out + i * to.size(), own_rest, batch.rest_size, i, *rounded[2], diagnostics[i]);
         } else if (doubts[i] != 0 && product.error[i] == Error::none &&
                    !settle(task, row, diagnostics[i], doubts[i], out + i * to.size(), own_rest)) {

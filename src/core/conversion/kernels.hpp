@@ -49,23 +49,23 @@ struct ZeroTable {
 
 /// What the conversion of a batch needs beside its rows.
 struct ConversionBatch {
-    const Spec* from;
-    const Spec* to;
-    double lock_margin;
-    const FixedRotations* fixed; ///< of the attitudes as they are written
-    ZeroTable* zeros;            ///< may be null
+    const Spec* from = nullptr;
+    const Spec* to = nullptr;
+    double lock_margin = 0.0;
+    const FixedRotations* fixed = nullptr; ///< of the attitudes as they are written
+    ZeroTable* zeros = nullptr;            ///< may be null
     std::size_t rest_size =
         1; ///< how many doubles of `rest` a number has; more than one for rows that are answered once more
 };
 
 /// What a batch of products of two attitudes needs beside its rows.
 struct ProductBatch {
-    const Spec* first;
-    const FixedRotations* fixed; ///< of the first attitudes
-    const Spec* second;
-    const Spec* to;
-    double lock_margin;
-    ZeroTable* zeros;
+    const Spec* first = nullptr;
+    const FixedRotations* fixed = nullptr; ///< of the first attitudes
+    const Spec* second = nullptr;
+    const Spec* to = nullptr;
+    double lock_margin = 0.0;
+    ZeroTable* zeros = nullptr;
     std::size_t rest_size = 1; ///< see ConversionBatch
 };
 

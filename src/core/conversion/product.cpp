@@ -33,6 +33,7 @@ RowReport report_of_pair(const InputBatch& first, const InputBatch& second, std:
     return report;
 }
 
+// NOLINTNEXTLINE(modernize-pass-by-value): the other arguments are references, too
 Composition::Composition(const Spec& first, const Spec& second, const Spec& to, const ConversionSettings& settings)
     : first_(checked(first)), second_(checked(second)), to_(checked(to)), settings_(settings),
       zeros_(std::make_shared<ZeroTable>()) {}
@@ -80,6 +81,7 @@ void Composition::run(std::span<const double> in, std::span<double> out, std::ve
     for_each_batch(in, width, out, to_.size(), run_batch);
 }
 
+// NOLINTNEXTLINE(modernize-pass-by-value): the other arguments are references, too
 VectorRotation::VectorRotation(const Spec& from, const ConversionSettings& settings)
     : from_(checked(from)), settings_(settings), zeros_(std::make_shared<ZeroTable>()) {}
 
