@@ -34,11 +34,19 @@ template <class T> [[nodiscard]] T exact_number(double number, std::span<const d
     }
 }
 
-[[nodiscard]] inline std::array<Wide, 3> exact_vector(const double* numbers, std::span<const double> rest) noexcept {
+template <class T>
+[[nodiscard]] std::array<T, 3> exact_vector(const double* numbers, std::span<const double> rest) noexcept {
     const std::size_t size = rest.size() / 3;
-    const auto component = [&](std::size_t i) { return exact_number<Wide>(numbers[i], rest.subspan(i * size, size)); };
+    const auto component = [&](std::size_t i) { return exact_number<T>(numbers[i], rest.subspan(i * size, size)); };
     return {component(0), component(1), component(2)};
 }
+
+/// Times 2^`power`.
+[[nodiscard]] inline DoubleDouble shifted(const DoubleDouble& a, int power) noexcept {
+    const PowerOfTwo by(power);
+    return {by(a.hi), by(a.lo)};
+}
+[[nodiscard]] inline Wide shifted(const Wide& a, int power) noexcept { return a.shifted(power); }
 
 /// Rounds once; false where the bits do not tell how: those of DoubleDouble, if it is not exact but off by `error` at
 /// most, next to the middle between two doubles.
@@ -72,14 +80,16 @@ template <class What> bool in_scalar_of(std::span<const double> rest, std::size_
                                         double largest, double& number) noexcept {
     constexpr int least = -1200; // the result is 0 there
     const int own = PowerOfTwo::exponent_of_unit(__builtin_fabs(component.hi));
-    const PowerOfTwo to_unit(-own);
     const int power = exponent + own;
-    const double error = std::fabs(ratio.hi) * (0x1p-90 * to_unit(largest) + 0x1p-69);
+    const double error = std::fabs(ratio.hi) * (0x1p-90 * PowerOfTwo(-own)(largest) + 0x1p-69);
     const bool is_zero = component.hi == 0.0;
-    const bool decided =
-        round_to(ratio * DoubleDouble(to_unit(component.hi), to_unit(component.lo)), is_zero, error, number);
+    const bool decided = round_to(ratio * shifted(component, -own), is_zero, error, number);
     number = PowerOfTwo(power < least ? least : power)(number) + 0.0;
     return decided && (is_zero || std::fabs(number) >= std::numeric_limits<double>::min());
+}
+[[nodiscard]] inline bool round_product(const Wide& ratio, int exponent, const Wide& component, double /*largest*/,
+                                        double& number) noexcept {
+    return round_to((ratio * component).shifted(exponent), false, 0.0, number);
 }
 
 } // namespace rotconv

@@ -62,43 +62,33 @@ void switch_to_shadow(double* numbers) noexcept {
 }
 
 /// m or its shadow -m/|m|^2, which is nearer to l if |m|^2 - 2 m l > 1.
-bool choose_nearest(const Spec& /*spec*/, const double* last, DiagnosticSet /*diagnostics*/,
-                    std::span<const double> rest, double* m) noexcept {
-    const std::size_t rest_size = rest.size() / 3;
+template <class T> bool choose(const double* last, std::span<const double> rest, double* m) noexcept {
     // both at unit size: the shadow of a small vector is a large one
-    const int exponent = PowerOfTwo::exponent_of_unit(largest_magnitude(m[0], m[1], m[2]));
+    const double largest = largest_magnitude(m[0], m[1], m[2]);
+    const int exponent = PowerOfTwo::exponent_of_unit(largest);
     const int last_exponent = PowerOfTwo::exponent_of_unit(largest_magnitude(last[0], last[1], last[2]));
-    const PowerOfTwo scale(-exponent);
+    const auto exact = exact_vector<T>(m, rest);
+    const auto component = [&](std::size_t i) { return shifted(exact[i], -exponent); };
     const PowerOfTwo last_scale(-last_exponent);
-    const auto component = [&](std::size_t i) { return two_sum(scale(m[i]), scale(rest[i * rest_size])); };
-    const std::array vector{component(0), component(1), component(2)};
-    const DoubleDouble square = sum_of_squares(vector[0], vector[1], vector[2]);
-    const DoubleDouble product = vector[0] * DoubleDouble(last_scale(last[0])) +
-                                 vector[1] * DoubleDouble(last_scale(last[1])) +
-                                 vector[2] * DoubleDouble(last_scale(last[2]));
-    const PowerOfTwo of_square(2 * std::max(exponent, -1000));
-    const PowerOfTwo of_product(std::max(exponent + last_exponent + 1, -2000));
-    const DoubleDouble excess = DoubleDouble(of_square(square.hi), of_square(square.lo)) -
-                                DoubleDouble(of_product(product.hi), of_product(product.lo)) - DoubleDouble(1.0);
-    if (!(excess.hi > 0.0)) {
+    const T square = sum_of_squares(component(0), component(1), component(2));
+    const T product = component(0) * T(last_scale(last[0])) + component(1) * T(last_scale(last[1])) +
+                      component(2) * T(last_scale(last[2]));
+    const T excess = shifted(square, 2 * std::max(exponent, -1000)) -
+                     shifted(product, std::max(exponent + last_exponent + 1, -2000)) - T(1.0);
+    if (!(to_double(excess) > 0.0)) {
         return true;
     }
+    const T ratio = T(-1.0) / square;
     bool decided = true;
-    if (rest_size == 1) {
-        const double largest = largest_magnitude(m[0], m[1], m[2]);
-        const DoubleDouble ratio = DoubleDouble(-1.0) / square;
-        for (std::size_t i = 0; i < 3; ++i) {
-            decided = round_product(ratio, -2 * exponent, two_sum(m[i], rest[i]), largest, m[i]) && decided;
-        }
-        return decided;
-    }
-    const Wide::Bits enough(Wide::bits_of_rest);
-    const auto exact = exact_vector(m, rest);
-    const Wide ratio = Wide(-1.0) / sum_of_squares(exact[0], exact[1], exact[2]);
     for (std::size_t i = 0; i < 3; ++i) {
-        decided = round_to(ratio * exact[i], false, 0.0, m[i]) && decided;
+        decided = round_product(ratio, -2 * exponent, exact[i], largest, m[i]) && decided;
     }
     return decided;
+}
+
+bool choose_nearest(const Spec& /*spec*/, const double* last, DiagnosticSet /*diagnostics*/,
+                    std::span<const double> rest, double* m) noexcept {
+    return in_scalar_of(rest, 3, [&]<class T>(T /*scalar*/) { return choose<T>(last, rest, m); });
 }
 
 } // namespace

@@ -115,9 +115,7 @@ using Eigen::Map;
 using Eigen::Vector3d;
 
 /// n (theta + 2 pi k); without an angle any axis.
-bool choose_nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, std::span<const double> rest,
-                    double* r) noexcept {
-    const std::size_t rest_size = rest.size() / 3;
+template <class T> bool choose(const Spec& spec, const double* last, std::span<const double> rest, double* r) noexcept {
     const double pi = half_turn_in(spec.unit).hi;
     if ((Map<const Vector3d>(r) - Map<const Vector3d>(last)).squaredNorm() < 0.99 * (pi * pi)) {
         return true; // the others are a whole turn and more from these
@@ -129,36 +127,29 @@ bool choose_nearest(const Spec& spec, const double* last, DiagnosticSet /*diagno
         return true;
     }
     // the vector times a power of two, and its length
-    const auto scale = PowerOfTwo::to_unit(size);
-    const auto component = [&](std::size_t i) {
-        return two_sum(scale(along[i]), is_identity ? 0.0 : scale(rest[i * rest_size]));
-    };
-    const std::array vector{component(0), component(1), component(2)};
-    const DoubleDouble length = root(sum_of_squares(vector[0], vector[1], vector[2]));
-    const DoubleDouble theta =
-        is_identity ? DoubleDouble() : DoubleDouble(scale.undone(length.hi), scale.undone(length.lo));
-    const double last_along = (vector[0].hi * last[0] + (vector[1].hi * last[1] + vector[2].hi * last[2])) / length.hi;
-    const double turns = nearest_turns(last_along - theta.hi, spec.unit);
+    const int exponent = PowerOfTwo::exponent_of_unit(size);
+    const auto exact = is_identity ? std::array{T(last[0]), T(last[1]), T(last[2])} : exact_vector<T>(r, rest);
+    const std::array vector{shifted(exact[0], -exponent), shifted(exact[1], -exponent), shifted(exact[2], -exponent)};
+    const T length = root(sum_of_squares(vector[0], vector[1], vector[2]));
+    const T theta = is_identity ? T(0.0) : shifted(length, exponent);
+    const double last_along =
+        (to_double(vector[0]) * last[0] + (to_double(vector[1]) * last[1] + to_double(vector[2]) * last[2])) /
+        to_double(length);
+    const double turns = nearest_turns(last_along - to_double(theta), spec.unit);
     if (turns == 0.0) {
         return true;
     }
+    const T ratio = plus_half_turns(theta, 2.0 * turns, spec.unit) / length;
     bool decided = true;
-    if (rest_size == 1) {
-        const DoubleDouble ratio = plus_half_turns(theta, 2.0 * turns, spec.unit) / length;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const DoubleDouble exact = two_sum(along[i], is_identity ? 0.0 : rest[i]);
-            decided = round_product(ratio, -PowerOfTwo::exponent_of_unit(size), exact, size, r[i]) && decided;
-        }
-        return decided;
-    }
-    const Wide::Bits enough(Wide::bits_of_rest);
-    const auto exact = is_identity ? std::array{Wide(last[0]), Wide(last[1]), Wide(last[2])} : exact_vector(r, rest);
-    const Wide own = root(sum_of_squares(exact[0], exact[1], exact[2]));
-    const Wide ratio = plus_half_turns(is_identity ? Wide() : own, 2.0 * turns, spec.unit) / own;
     for (std::size_t i = 0; i < 3; ++i) {
-        decided = round_to(ratio * exact[i], false, 0.0, r[i]) && decided;
+        decided = round_product(ratio, -exponent, exact[i], size, r[i]) && decided;
     }
     return decided;
+}
+
+bool choose_nearest(const Spec& spec, const double* last, DiagnosticSet /*diagnostics*/, std::span<const double> rest,
+                    double* r) noexcept {
+    return in_scalar_of(rest, 3, [&]<class T>(T /*scalar*/) { return choose<T>(spec, last, rest, r); });
 }
 
 /// By whole turns, past a half-turn.
