@@ -69,8 +69,8 @@ public:
         const int fifteens = whole * (step_ == 90.0 ? 6 : 1) % 48;
         return code_of_multiple + static_cast<unsigned>(fifteens < 0 ? fifteens + 48 : fifteens);
     }
-    [[nodiscard]] bool is_known(std::size_t k) const noexcept {
-        return numbers_[k] == 0.0 || (!has_sign(k) && code(k) != code_of_any);
+    [[nodiscard]] bool is_known(std::size_t k, unsigned own_code) const noexcept {
+        return own_code == code_of_zero || (own_code != code_of_any && !has_sign(k));
     }
     [[nodiscard]] unsigned bits(std::size_t k) const noexcept {
         return has_sign(k) ? 2U : has_angles_ && (size_ == 3 || k == 3) ? 6U : 1U;
@@ -78,7 +78,7 @@ public:
     /// Another number of the same code; of a matrix it is to stay near a rotation.
     [[nodiscard]] double stand_in(std::size_t k, double fraction) const noexcept {
         const double number = numbers_[k];
-        if (is_known(k)) {
+        if (is_known(k, code(k))) {
             return number;
         }
         const double other = 0.25 + 0.5 * fraction;
@@ -116,8 +116,9 @@ inline std::uint64_t zero_pattern(const CarefulTask& task, const CarefulRow& row
     const auto add = [&](const PartOfPattern& part) {
         pattern = pattern << 1U | part.sign_of_r11();
         for (std::size_t k = 0; k < part.size(); ++k) {
-            all_known = all_known && part.is_known(k);
-            pattern = pattern << part.bits(k) | part.code(k);
+            const unsigned code = part.code(k);
+            all_known = all_known && part.is_known(k, code);
+            pattern = pattern << part.bits(k) | code;
         }
     };
     add({task.first, row.first, step});
@@ -303,7 +304,7 @@ inline unsigned angles_in_degrees(const CarefulTask& task, const CarefulRow& row
     return count;
 }
 
-/// The sum that the number k is, in all rows of the row's pattern, to whole half-turns and the sign of a middle angle.
+/// The sum that the number k is, in all rows of the row's pattern, to whole half-turns and its sign.
 ROTCONV_NOINLINE inline AngleSum find_sum(const CarefulTask& task, const CarefulRow& row, unsigned k) noexcept {
     return with_stand_ins(task, row, 90.0, [&](const CarefulRow& other) {
         Careful results[most_numbers];
@@ -401,8 +402,8 @@ inline bool answer_once(const CarefulTask& task, const CarefulRow& row, double* 
             results[k] = 0.0;
         }
         decided = results[k].round(numbers[k]) && decided;
-        if (has_half_turns(task) && k != 1 &&
-            !task.to->positive) { // what is beyond the range by less than a double tells
+        // Less than a double tells may be beyond the range.
+        if (has_half_turns(task) && k != 1 && !task.to->positive) {
             numbers[k] = -larger_of(-numbers[k], -half_turn_in(task.to->unit).hi);
         }
         double written = numbers[k];
