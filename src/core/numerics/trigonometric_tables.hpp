@@ -5,7 +5,7 @@
 
 #include "double_double.hpp"
 
-// NOLINTBEGIN(*-avoid-c-arrays): as in numerics, for whoever includes it
+// NOLINTBEGIN(*-avoid-c-arrays): src/core/.clang-tidy allows them, but not to sources elsewhere that include this
 
 // Tables of sines, cosines and arc tangents, each value the sum of two doubles that is nearest to it. The compiler
 // makes them.
