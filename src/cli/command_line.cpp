@@ -13,6 +13,7 @@
 #include "../core/conversion/kernels.hpp"
 #include "../core/projects.hpp"
 #include "../stream/bytes/file.hpp"
+#include "../stream/bytes/io_block.hpp"
 #include "messages/answers.hpp"
 #include "row_options.hpp"
 
@@ -32,6 +33,30 @@ std::string help(const CommandEntry& entry, const OptionSet& options, const Opti
         text += fmt::format("  {:<28}{}\n", each.name, each.about);
     }
     return text + "\n" + help_footer();
+}
+
+/// The mend by which VALUEs stand in each row of the FILE, before or behind what it has: one attitude for many vectors.
+std::vector<Mend> with_values_in_rows(const CommandOptions& operands) {
+    const auto bytes = operands.files.size() == 1 ? first_bytes(operands.files[0]) : std::nullopt;
+    if (!bytes || operands.value_words.empty() || operands.begin == 0) { // a conversion has one attitude
+        return {};
+    }
+    const std::string mark = bytes->find(',') != std::string::npos ? "," : " ";
+    std::string numbers = joined(operands.values, " ");
+    std::ranges::replace(numbers, ',', ' ');
+    numbers = joined(words_in(numbers), mark);
+    const bool are_before = operands.value_words[0].word < operands.file_words[0].word;
+    const std::string added = are_before ? "^/" + numbers + mark : "$/" + mark + numbers;
+    const bool has_header = begins_with_header(*bytes);
+    std::string text;
+    std::string_view rest = *bytes;
+    static_cast<void>(has_header ? stream::next_line(rest) : stream::Line());
+    while (!rest.empty()) {
+        const std::string line(stream::next_line(rest).text);
+        text += (are_before ? numbers + mark + line : line + mark + numbers) + "\n";
+    }
+    return {operands.piped({mapped(operands.value_words, [](const WordEnd& word) { return Edit{word}; })},
+                           fmt::format("sed '{}s/{}/'", has_header ? "1d;" : "", added), text)};
 }
 
 /// Refuses operands that cannot be combined, and FILEs that cannot be read.
@@ -74,7 +99,8 @@ void check(const CommandOptions& operands, std::size_t most_files) {
         throw Usage("{} is one FILE too many", quoted(operands.files[most_files]));
     }
     if (!operands.values.empty() && (has_input || !file.empty())) {
-        throw Usage("VALUEs cannot be combined with {}", file.empty() ? "--input" : file);
+        throw Usage("VALUEs cannot be combined with {}", file.empty() ? "--input" : file)
+            .with(with_values_in_rows(operands));
     }
     if (has_input && !file.empty()) {
         throw Usage(file + " cannot be combined with --input");

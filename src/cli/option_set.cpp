@@ -166,10 +166,8 @@ std::size_t OptionSet::read(const std::vector<std::string>& all_words, std::size
                 break;
             }
             (takes_value ? values : files).push_back(word);
+            (takes_value ? value_words : file_words).push_back({at, 0});
             operands.push_back(word);
-            if (!takes_value) {
-                file_words.push_back({at, 0});
-            }
         } else if (word == "--") {
             only_operands = true;
         } else if (word.starts_with("--")) {

@@ -117,6 +117,10 @@ Values values_or_mends(const RowOptions& options, const stream::InputOptions& in
     } catch (Usage& error) {
         error.mends = mapped(error.specs,
                              [&](const std::string& spec) { return Mend{{OptionSet::setting(options.from, spec)}}; });
+        if (error.mends.empty()) {
+            error.mends = messages::with_numbers_for_pi(options);
+            error.otherwise = error.mends.empty() ? "" : "; see rotconv --help";
+        }
         throw;
     }
 }

@@ -100,14 +100,16 @@ public:
             tell(place, message);
         }
     }
-    /// The error of a row that ended the run, with advice if no row could be read.
+    /// The error of a row that ended the run, with advice if no row could be read, or other ones.
     void add_last_error(const stream::RunResult& ending) const {
         if (!last_error_) {
             return;
         }
         const stream::Place& place = last_error_->place;
         const std::string message = in_words(*last_error_);
-        if (ending.answered == 0) {
+        using What = stream::RowError::What;
+        if (ending.answered == 0 || last_error_->what == What::other_width ||
+            last_error_->what == What::missing_column) {
             tell_with_answers(place, message);
         } else {
             tell(place, message);

@@ -14,7 +14,7 @@ namespace {
 constexpr auto project_table = std::to_array<Project>({
     // the presets, up to opk
     {"scipy", "", "quat:xyzw as_quat; rotvec as_rotvec; dcm as_matrix; mrp as_mrp", "", "", "", "scipy.spatial.transform.Rotation", "the letters of its sequences are those of euler:SEQ"},
-    {"ros", "ros2 tf tf2 moveit", "quat:xyzw geometry_msgs/Quaternion; rpy setRPY, getRPY; euler:YXZ setEuler of tf, yaw pitch roll", "", "enu", "flu", "ROS geometry_msgs/Quaternion", "axes by REP 103; a quaternion that was not set is 0 0 0 0 in ROS 1, which is an error here, and the identity in ROS 2"},
+    {"ros", "ros2 tf tf2 moveit geometry-msgs geometry-msgs/quaternion", "quat:xyzw geometry_msgs/Quaternion; rpy setRPY, getRPY; euler:YXZ setEuler of tf, yaw pitch roll", "", "enu", "flu", "ROS geometry_msgs/Quaternion", "axes by REP 103; a quaternion that was not set is 0 0 0 0 in ROS 1, which is an error here, and the identity in ROS 2"},
     {"tum", "evo", "quat:xyzw columns 5-8 of a trajectory", "", "", "", "TUM RGB-D trajectory files", ""},
     {"matlab", "", "dcm:passive Aerospace Toolbox; dcm Robotics System Toolbox; quat both; euler:ZYX both, by default", "", "", "", "Aerospace Toolbox", "rotmat of a quaternion is dcm:passive for 'frame', dcm for 'point'"},
     {"basilisk", "schaub bn", "dcm:passive [BN]; quat beta0 first; mrp; euler:ZYX 321, yaw pitch roll", "", "", "", "Basilisk; Schaub and Junkins, [BN]", "RigidBodyKinematics.py"},
@@ -79,7 +79,7 @@ constexpr auto project_table = std::to_array<Project>({
     {"unity", "unity3d", "quat:xyzw Quaternion; euler:YXZ:deg eulerAngles x y z: with --columns 2,1,3", "", "ruf", "ruf", "Unity manual, Quaternion.Euler", "left-handed; to ROS's axes: --reference-axes ruf:flu --body-axes ruf:flu"},
     {"unreal", "unrealengine ue ue4 ue5 frotator fquat", "quat:xyzw FQuat; euler:Z-Y-X:deg yaw, pitch, roll: FRotator with --columns 2,1,3", "", "fru", "fru", "Unreal Engine, FRotator::Quaternion", "left-handed; to ROS's axes: --reference-axes fru:flu --body-axes fru:flu"},
     {"godot", "", "quat:xyzw; euler:YXZ rotation x y z: with --columns 2,1,3", "", "", "", "Godot, core/math/basis.h", "camera axes are rub"},
-    {"three.js", "threejs", "quat:xyzw; euler:XYZ order XYZ, about the body axes; dcm:col elements", "", "", "", "three.js, src/math/Euler.js", "angles are stored x y z for any order: select the columns in the order of the letters"},
+    {"three.js", "threejs three", "quat:xyzw; euler:XYZ order XYZ, about the body axes; dcm:col elements", "", "", "", "three.js, src/math/Euler.js", "angles are stored x y z for any order: select the columns in the order of the letters"},
     {"gltf", "", "quat:xyzw", "w x y z", "", "", "glTF 2.0 specification", "a node's matrix: dcm:col --columns 1-3,5-7,9-11"},
     {"bvh", "biovision", "euler:ZXY:deg", "Zrotation Xrotation Yrotation", "", "", "University of Wisconsin, BVH", "where CHANNELS has another order: that order in upper case, euler:XYZ:deg"},
     {"glm", "opengl gl", "quat; rpy eulerAngles: pitch, yaw and roll are about x, y and z; dcm:col matrices", "", "", "", "GLM, gtc/quaternion.inl", ""},

@@ -1,5 +1,5 @@
 // Any text as names of a header: names of a quaternion are found between any prefix and any suffix, in the right
-// places, and the time for a name grows as its length, not as its square.
+// places, and the time for a longer name grows as its length, not as its square.
 
 #include <algorithm>
 #include <cstddef>
@@ -21,6 +21,8 @@ namespace {
 using Names = std::vector<std::string>;
 
 fuzz::Reach reach{"prefixes", "suffixes", "units", "names of repeated texts"};
+
+constexpr std::size_t longest_name = 200; // a longer one is in no set
 
 const auto quat = std::get<rotconv::Spec>(rotconv::parse_spec("quat"));
 
@@ -73,7 +75,9 @@ bool grows_with_size(std::string_view text) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(reinterpret_cast<const char*>(data), size);
     const std::size_t end = std::min(text.find('\n'), text.size());
-    look(text.substr(0, end), text.substr(std::min(end + 1, text.size())));
+    if (text.size() < longest_name) {
+        look(text.substr(0, end), text.substr(std::min(end + 1, text.size())));
+    }
     reach.add("units", rotconv::cli::name_and_unit(text).second.empty() ? 0 : 1);
     if (!text.empty()) {
         check(grows_with_size(text) || grows_with_size(text) || grows_with_size(text), "a long name takes too long");

@@ -50,7 +50,10 @@ struct SampleOptions final : RowOptions {
 
     [[nodiscard]] Command command() const override {
         if (!values.empty()) {
-            throw Usage("sample reads no VALUEs: {}", quoted(values[0]));
+            const auto rows_alone = values.size() > 1
+                                        ? std::vector<Mend>()
+                                        : std::vector<Mend>{{{{value_words[0], 1, {"--rows", values[0]}}}}};
+            throw Usage("sample reads no VALUEs: {}", quoted(values[0])).with(rows_alone);
         }
         const Spec spec = spec_of(to);
         const std::size_t count = count_of(rows, largest_count, 1, 1000);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <set>
 #include <unordered_map>
 #include <variant>
@@ -12,7 +11,6 @@
 #include "../../core/projects.hpp"
 #include "../../operations/operations.hpp"
 #include "../../stream/beginning/column_list.hpp"
-#include "../../stream/pairs/key.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -158,86 +156,35 @@ bool has_word(std::string_view name, std::string_view beginnings, std::string_vi
     return has(beginnings, "") || has(wholes, "_");
 }
 
-/// The sum of a text's bytes, each times a power of a base by its place, modulo 2^61 - 1. Where a part of a text is
-/// replaced the new sum follows from the old one, without a look at the rest: names of any length take linear time.
-struct TextSum {
-    static constexpr std::uint64_t modulus = (std::uint64_t{1} << 61U) - 1;
-    static constexpr std::uint64_t base = 1'229'363'429'801'019'168;
-    static constexpr std::uint64_t inverse = 1'000'003; ///< base * inverse is 1
-
-    std::uint64_t value = 0;
-    std::uint64_t weight = 1; ///< of the byte behind the text
-
-    explicit TextSum(std::string_view text = {}) { add(text); }
-    void add(std::string_view text) {
-        for (const char c : text) {
-            value = reduced(stream::Uint128{weight} * (static_cast<unsigned char>(c) + 1U) + value);
-            weight = reduced(stream::Uint128{weight} * base);
-        }
-    }
-    static std::uint64_t reduced(stream::Uint128 number) noexcept {
-        const auto sum = static_cast<std::uint64_t>((number & modulus) + (number >> 61U));
-        return sum % modulus;
-    }
-};
-
-/// A word that may stand in the place of another.
-struct Replacement {
-    Replacement(std::string_view word, std::size_t size) : text(word), sum(TextSum(word).value) {
-        for (std::size_t i = std::min(size, word.size()); i < std::max(size, word.size()); ++i) {
-            shift = TextSum::reduced(stream::Uint128{shift} * (size < word.size() ? TextSum::base : TextSum::inverse));
-        }
-    }
-    /// The sum of the text with the word between what stands before it and after it.
-    [[nodiscard]] std::uint64_t sum_between(const TextSum& before, std::uint64_t after) const noexcept {
-        return TextSum::reduced(stream::Uint128{before.weight} * sum + stream::Uint128{after} * shift + before.value);
-    }
-    [[nodiscard]] bool is_between(std::string_view before, std::string_view after, std::string_view name) const {
-        return name.size() == before.size() + text.size() + after.size() && name.starts_with(before) &&
-               name.substr(before.size()).starts_with(text) && name.ends_with(after);
-    }
-
-    std::string_view text;
-    std::uint64_t sum;
-    std::uint64_t shift = 1; ///< what the weights of the bytes behind it are multiplied by
-};
-
 /// Calls what to do with the place of the first word in its name, and with the places of all, for each set of names
-/// that are the words between one prefix and one suffix. A name that stands twice is in none.
+/// that are the words between one prefix and one suffix. A name that stands twice, or that is as long as a text, is in
+/// none.
 template <class Take>
-void for_each_set(const std::vector<std::string>& spelling, const std::vector<std::string>& names, const Take& take) {
+void for_each_set(const std::vector<std::string>& words, const std::vector<std::string>& names, const Take& take) {
+    constexpr std::size_t longest = 200;
     constexpr auto twice = std::string::npos;
-    const std::string& first = spelling.front();
-    const auto words = mapped(spelling, [&first](const std::string& word) { return Replacement(word, first.size()); });
-    const auto sums = mapped(names, [](const std::string& name) { return TextSum(name).value; });
-    std::unordered_map<std::uint64_t, std::size_t> place_of;
+    std::unordered_map<std::string, std::size_t> place_of;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (const auto [at, is_new] = place_of.emplace(sums[i], i); !is_new) {
+        if (names[i].size() > longest) {
+            continue;
+        }
+        if (const auto [at, is_new] = place_of.emplace(names[i], i); !is_new) {
             at->second = twice;
         }
     }
     std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string_view name = names[i];
-        TextSum before;
-        std::size_t begin = 0;
-        for (auto at = name.find(first); at != std::string_view::npos; at = name.find(first, at + 1)) {
-            before.add(name.substr(begin, at - begin));
-            begin = at;
-            const std::uint64_t with_first = words.front().sum_between(before, 0);
-            const std::uint64_t after = TextSum::reduced(stream::Uint128{sums[i]} + TextSum::modulus - with_first);
+    for (const std::string& name : names) {
+        const auto first = name.size() > longest ? std::string::npos : name.find(words.front());
+        for (auto at = first; at != std::string::npos; at = name.find(words.front(), at + 1)) {
             places.clear();
-            for (const Replacement& word : words) {
-                const auto found = place_of.find(word.sum_between(before, after));
+            for (const std::string& word : words) {
+                const auto found = place_of.find(std::string(name).replace(at, words.front().size(), word));
                 if (found == place_of.end() || found->second == twice) {
                     break;
                 }
                 places.push_back(found->second);
             }
-            const auto is_there = [&](const Replacement& word, std::size_t place) { // and no other text of that sum
-                return word.is_between(name.substr(0, at), name.substr(at + first.size()), names[place]);
-            };
-            if (std::ranges::equal(words, places, is_there)) {
+            if (places.size() == words.size()) {
                 take(at, places);
             }
         }

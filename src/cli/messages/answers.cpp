@@ -27,13 +27,12 @@ struct Attempt {
     bool may_read_pipe = false;        ///< nothing else will
     bool says_radians = false;         ///< as it was given
     bool has_guess = false;            ///< its SPEC is a guess
+    std::vector<Edit> order{};         ///< see Mend: still to be made
 
-    [[nodiscard]] Attempt after(const Mend& mend, bool is_ordered = true) const {
+    [[nodiscard]] Attempt after(const Mend& mend) const {
         Attempt next = *this;
+        next.order.insert(next.order.end(), mend.order.begin(), mend.order.end());
         auto edits = mend.edits;
-        if (is_ordered) {
-            edits.insert(edits.end(), mend.order.begin(), mend.order.end());
-        }
         const auto end = std::ranges::find(words, "--") - words.begin();
         for (Edit& edit : edits) {
             edit.at.word = edit.at.word == Edit::at_end ? static_cast<std::size_t>(end) : edit.at.word;
@@ -52,6 +51,11 @@ struct Attempt {
             next.text = mend.text;
         }
         return next;
+    }
+    [[nodiscard]] Attempt in_order() const {
+        Attempt next = *this;
+        next.order.clear();
+        return next.after(Mend{order});
     }
     [[nodiscard]] std::string command() const {
         const auto texts = mapped(words, [](const std::string& word) {
@@ -98,6 +102,7 @@ struct Outcome {
 Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std::string& text, bool whole) {
     std::optional<stream::RowError> wrong;
     std::vector<Edit> better;
+    bool is_whole_text = false; // which has no header
     const auto take = [&](const stream::Event& event) {
         const auto* const diagnostic = std::get_if<stream::Diagnostic>(&event);
         if (diagnostic != nullptr && diagnostic->kind == DiagnosticKind::large_angle && better.empty() &&
@@ -105,6 +110,7 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
             better.push_back({{Edit::at_end}, 0, {"-d"}});
         }
         const auto* const note = std::get_if<stream::Note>(&event);
+        is_whole_text = is_whole_text || (note != nullptr && note->kind == stream::Note::Kind::text);
         if (note != nullptr && !note->words.empty()) {
             better.push_back({{Edit::at_end}, 0, note->words});
         }
@@ -127,7 +133,7 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
     }
     const auto ending = stream::run(source, nullptr, options, take, reference ? &*reference : nullptr);
     if (ending.answered > 0 && (!whole || (!ending.error && !wrong))) {
-        const bool has_others = !command.has_values && has_other_names(options.input, text);
+        const bool has_others = !command.has_values && !is_whole_text && has_other_names(options.input, text);
         return {.serves = true, .has_other_names = has_others, .is_tried = !has_others, .better = better};
     }
     using What = stream::StreamError::What;
@@ -135,14 +141,15 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
         return {.is_tried = true};
     }
     if ((ending.error && ending.error->place.is_in_reference()) || (wrong && wrong->place.is_in_reference())) {
-        return {.is_tried = true, .mends = reference_mends(command, *bytes)};
+        return {.is_tried = true, .mends = reference_mends(command, text, *bytes)};
     }
     if (ending.error && ending.error->what == What::json) {
         return {.is_tried = true, .mends = json_mends(command, text, attempt.has_guess)};
     }
     const std::size_t line = ending.error ? ending.error->place.line : wrong ? wrong->place.line : 0;
     return {.is_tried = true,
-            .mends = line > 0 ? row_mends(command, text, line, attempt.has_guess) : std::vector<std::vector<Mend>>()};
+            .mends = line > 0 ? row_mends(command, text, line, attempt.has_guess, ending.answered > 0)
+                              : std::vector<std::vector<Mend>>()};
 }
 
 /// @param whole all rows at hand must be answered, not only the first
@@ -227,7 +234,11 @@ private:
         if (depth > deepest || found_.size() == most_found || --left_ < 0) {
             return;
         }
-        const Outcome outcome = outcome_of(attempt, depth == deepest);
+        const Outcome outcome = outcome_of(attempt, depth == 0 || depth == deepest);
+        if (outcome.serves && !attempt.order.empty()) {
+            follow(attempt.in_order(), depth, is_choice);
+            return;
+        }
         if (outcome.serves && depth > 0 && !outcome.better.empty()) {
             const Attempt better = attempt.after(Mend{outcome.better});
             if (outcome_of(better, true).serves) {
@@ -247,13 +258,11 @@ private:
             }
         }
         // the SPECs of a project are not those that others write in the same words
-        const bool is_done = outcome.serves || depth == deepest || (is_of_project_ && outcome.is_of_values);
+        const bool is_done = outcome.serves || depth == deepest ||
+                             (outcome.is_of_values && (is_of_project_ || (attempt.has_guess && !found_.empty())));
         for (auto group = outcome.mends.begin(); group != outcome.mends.end() && !is_done; ++group) {
             const std::size_t before = found_.size();
             for (const Mend& mend : *group) {
-                if (!mend.order.empty() && !outcome_of(attempt.after(mend, false)).serves) {
-                    continue;
-                }
                 Attempt next = attempt.after(mend);
                 next.has_guess = attempt.has_guess || outcome.guesses_spec;
                 // rows have no second mend
@@ -285,6 +294,12 @@ std::optional<std::string> first_bytes(const std::string& path) {
         text.resize(text.rfind('\n') + 1);
     }
     return text;
+}
+
+bool begins_with_header(std::string_view text) {
+    std::string first(stream::next_line(text).text);
+    std::ranges::replace(first, ',', ' ');
+    return !std::ranges::all_of(words_in(first), stream::is_number);
 }
 
 std::string answers(const std::vector<std::string>& words, std::optional<std::string_view> beginning) {
@@ -322,14 +337,14 @@ std::optional<std::vector<std::string>> only_answer(const std::vector<std::strin
     std::optional<std::vector<std::string>> only;
     for (const Mend& mend : mends) {
         const Attempt attempt = Attempt{words}.after(mend);
-        Attempt tried = Attempt{words}.after(mend, false);
+        Attempt tried = attempt;
         tried.words = with_input(tried.words);
         const Outcome outcome = outcome_of(tried);
         if (outcome.serves && outcome.is_tried) {
             if (only) {
                 return std::nullopt;
             }
-            only = attempt.words;
+            only = attempt.in_order().words;
         }
     }
     return only;

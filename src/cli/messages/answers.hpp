@@ -36,14 +36,20 @@ inline constexpr std::string_view raw_word = "\x01";
 /// The first bytes of a file that can be read again; nothing for others.
 [[nodiscard]] std::optional<std::string> first_bytes(const std::string& path);
 
+/// Whether the first line of a text has more than numbers.
+[[nodiscard]] bool begins_with_header(std::string_view text);
+
 /// Mends of a command that cannot read its first rows, those of a group as good as each other; see row_mends.cpp.
 /// @param line at which reading stopped
 /// @param is_guess the SPEC is one: rows must say that they are its own
+/// @param has_answers rows before that line were answered
 [[nodiscard]] std::vector<std::vector<Mend>> row_mends(const RowsCommand& command, std::string_view beginning,
-                                                       std::size_t line, bool is_guess);
+                                                       std::size_t line, bool is_guess, bool has_answers);
 
-/// The same of the REFERENCE: the columns of a project's file without a header.
-[[nodiscard]] std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::string_view beginning);
+/// The same of the REFERENCE: the columns of a file without a header, which are those of a project's or of the FILE.
+/// @param text the beginning of the FILE
+[[nodiscard]] std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::string_view text,
+                                                             std::string_view beginning);
 
 /// The same where they are JSON.
 [[nodiscard]] std::vector<std::vector<Mend>> json_mends(const RowsCommand& command, std::string_view beginning,

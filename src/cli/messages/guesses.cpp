@@ -7,9 +7,11 @@
 #include "../../core/projects.hpp"
 #include "../../methods/method.hpp"
 #include "../../stream/bytes/file.hpp"
+#include "../../stream/bytes/io_block.hpp"
 #include "../command.hpp"
 #include "../grammar/value_text.hpp"
 #include "../grammar/values.hpp"
+#include "answers.hpp"
 #include "meanings.hpp"
 #include "messages.hpp"
 #include "spellings.hpp"
@@ -40,7 +42,7 @@ public:
     [[nodiscard]] std::vector<Mend> by(const std::string& text) const {
         const auto has = [&text](std::string_view part) { return text.find(part) != std::string::npos; };
         const Option* const from = options_->find("--from");
-        const bool takes_argument = has("ARG") || text == "tail" || text == "- -";
+        const bool takes_argument = has("ARG") || text == "tail" || text == "awk" || text == "- -";
         const bool lacks_from = has("FROM") && (from == nullptr || !from->given());
         if ((takes_argument && argument_.empty()) || lacks_from ||
             (is_command(text.substr(0, text.find(' '))) && options_->begin > 0)) {
@@ -51,13 +53,13 @@ public:
         if (is_spec(text) && argument_.find(',') != std::string::npos && !is_value(argument_)) { // --quat a,b,c,d
             return {{{{{at_}, is_joined_ ? std::size_t{1} : 2, {"-f", text, "--columns", argument_}}}}};
         }
-        if (listed == 0 || (text == "- -" && argument_.size() != 1) || (text == "-o ARG" && is_spec(argument_)) ||
-            (text == "@ARG" && !is_of_rotate)) {
+        if (listed == 0 || (text == "- -" && argument_.size() != 1 && !stream::is_number(argument_)) ||
+            (text == "-o ARG" && is_spec(argument_)) || (text == "@ARG" && !is_of_rotate)) {
             return {};
         }
         Mend mend{{{{at_}, takes_argument && listed < 2 && !is_joined_ ? std::size_t{2} : 1}}};
-        if (text == "tail") {
-            return skipping(mend);
+        if (text == "tail" || text == "awk") {
+            return text == "tail" ? skipping(mend) : with_times(mend);
         }
         std::string modifier;
         for (std::string word : words_in(text)) {
@@ -110,19 +112,46 @@ private:
         const bool are_last = std::none_of(end, words.end(), is_value) && std::any_of(words.begin(), first, is_value);
         return are_last && end - first == 3 ? 3 : 0;
     }
-    [[nodiscard]] std::vector<Mend> skipping(Mend mend) const {
-        double lines = 0.0;
+    /// The number that is given to it, if it stands beside at most one FILE.
+    [[nodiscard]] std::optional<double> number_beside_file() const {
+        double number = 0.0;
         const std::size_t own = is_joined_ ? 0 : 1; // which is a VALUE as long as the option is unknown
-        if (stream::read_number(argument_, lines) != stream::NumberError::none || options_->values.size() != own ||
-            options_->files.size() > 1) {
-            return {};
-        }
-        mend.pipe = fmt::format("tail -n +{:.0f}", lines + 1.0);
+        const bool is_number = stream::read_number(argument_, number) == stream::NumberError::none;
+        return is_number && options_->values.size() == own && options_->files.size() < 2 ? std::optional(number)
+                                                                                         : std::nullopt;
+    }
+    [[nodiscard]] Mend reading(Mend mend, const std::string& command) const {
+        mend.pipe = command;
         for (const WordEnd& file : options_->file_words) {
             mend.edits.push_back({file});
             mend.pipe += " " + file_in_shell(options_->words[file.word]);
         }
-        return {mend};
+        return mend;
+    }
+    [[nodiscard]] std::vector<Mend> skipping(const Mend& mend) const {
+        const auto lines = number_beside_file();
+        return lines ? std::vector{reading(mend, fmt::format("tail -n +{:.0f}", *lines + 1.0))} : std::vector<Mend>();
+    }
+    /// With times before the rows, and without their header.
+    [[nodiscard]] std::vector<Mend> with_times(const Mend& mend) const {
+        const auto step = number_beside_file();
+        const auto bytes = options_->files.size() == 1 ? first_bytes(options_->files[0]) : std::nullopt;
+        if (!step || !bytes) {
+            return {};
+        }
+        const std::size_t header = begins_with_header(*bytes) ? 1 : 0;
+        const std::string mark = bytes->find(',') != std::string::npos ? "," : " ";
+        Mend made = reading(mend, fmt::format("awk '{}{{printf \"%.9f{}%s\\n\", (NR-{}) * {}, $0}}'",
+                                              header > 0 ? "NR > 1 " : "", mark, header + 1, argument_));
+        std::string_view rest = *bytes;
+        made.text.emplace();
+        for (std::size_t line = 0; !rest.empty(); ++line) {
+            const std::string text(stream::next_line(rest).text);
+            made.text->append(
+                line < header ? ""
+                              : fmt::format("{:.9f}{}{}\n", static_cast<double>(line - header) * *step, mark, text));
+        }
+        return {made};
     }
     /// Also with a modifier of one of the SPECs, but an inverse of the one that is written.
     [[nodiscard]] std::vector<Mend> with(const Mend& mend, const std::string& modifier) const {
@@ -223,9 +252,61 @@ Usage no_such_method(RepresentationId from, RepresentationId to, const Option& o
     return Usage(said).with(std::move(mends));
 }
 
+namespace {
+
+/// A multiple of pi, such as -pi/2, 2*pi/3 and np.pi, as a number; other texts as they are.
+std::string without_pi(const std::string& text) {
+    const auto at = lower(text).find("pi");
+    double before = 1.0;
+    double after = 1.0;
+    const auto is_factor = [](std::string_view part, double& number) {
+        return part.empty() || stream::read_number(part, number) == stream::NumberError::none;
+    };
+    if (at == std::string::npos) {
+        return text;
+    }
+    std::string first = text.substr(0, at);
+    for (const std::string_view library : {"np.", "math.", "M_", "*"}) {
+        first.resize(first.size() - (first.ends_with(library) ? library.size() : 0));
+    }
+    const bool is_bare = first == "-" || first == "+";
+    const std::string last = text.substr(at + 2);
+    const bool has_last = last.size() > 1 && (last[0] == '/' || last[0] == '*');
+    if (!is_factor(is_bare ? first + "1" : first, before) || (!last.empty() && !has_last) ||
+        !is_factor(has_last ? last.substr(1) : last, after)) {
+        return text;
+    }
+    constexpr long double pi = 3.14159265358979323846264338327950288L;
+    return fmt::to_string(static_cast<double>(last.starts_with('/') ? pi * before / after : pi * before * after));
+}
+
+} // namespace
+
+std::vector<Mend> with_numbers_for_pi(const OptionSet& options) {
+    Mend mend;
+    for (std::size_t at = options.begin; at < options.words.size(); ++at) {
+        const std::string& word = options.words[at];
+        std::string made;
+        for (std::size_t i = 0; i < word.size();) {
+            const std::size_t end = std::min(word.find_first_of(" ,;[](){}:=", i), word.size());
+            made += end > i ? without_pi(word.substr(i, end - i)) : word.substr(i, 1);
+            i = std::max(end, i + 1);
+        }
+        if (made != word) {
+            mend.edits.push_back({{at}, 1, {made}});
+        }
+    }
+    return mend.edits.empty() ? std::vector<Mend>() : std::vector<Mend>{mend};
+}
+
 std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at) {
     const std::string& word = options.words[at];
     const Replaced replaced(options, at);
+    if (word.find('\\') != std::string::npos) { // of DICOM
+        std::string made = word;
+        std::ranges::replace(made, '\\', ' ');
+        return {{{{{at}, 1, {made}}}}};
+    }
     const Option* const from = options.find("--from");
     const Option* const to = options.find("--to");
     std::vector<Mend> mends;
@@ -304,6 +385,10 @@ Usage no_such_spec(const Option& option, const std::string& item, const SpecErro
         if (words.size() > 1) {
             mends.back().order.push_back({{Edit::at_end}, 0, {words.begin() + 1, words.end()}});
         }
+    }
+    if (option.name() == "--from" && holds_number(item)) { // VALUEs
+        mends.push_back(option.place.begin > 0 ? Mend{{{{option.place.word}, 1, {item}}}}
+                                               : Mend{{{{option.place.word - 1}, 2, {item}}}});
     }
     const bool is_known = find_project(error.text) != nullptr || find_meaning(error.text) != nullptr;
     const std::string where =

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <span>
 #include <utility>
 
+#include "../../stream/numbers/number_text.hpp"
+#include "../grammar/column_names.hpp"
+#include "../grammar/value_text.hpp"
 #include "../grammar/values.hpp"
 #include "../grammar/words.hpp"
 
@@ -168,7 +172,81 @@ private:
     const std::string* from_;
 };
 
+/// A line that is a name and a number; without a number, or without a name, it is neither.
+struct NamedNumber {
+    std::string name{};
+    std::string number{};
+
+    explicit NamedNumber(std::string_view line) {
+        const std::size_t mark = std::min(line.find_first_of(":="), line.size());
+        name = joined(words_in(line.substr(0, mark)), " ");
+        name.erase(0, name.starts_with("- ") ? 2 : 0);
+        number = joined(words_in(line.substr(std::min(mark + 1, line.size()))), " ");
+        const bool is_plain = std::ranges::all_of(name, [](char c) { return is_letter(c) || is_digit(c) || c == ' '; });
+        if (mark == line.size() || !is_plain || !(number.empty() || stream::is_number(number))) {
+            name.clear();
+        }
+    }
+    [[nodiscard]] bool is_whole() const { return !name.empty() && !number.empty(); }
+};
+
+/// The numbers of lines with these names, in rows; none if the names come in another order.
+std::string rows_of_names(std::span<const NamedNumber> numbers, const std::vector<std::string>& names) {
+    std::string rows;
+    std::size_t next = 0;
+    for (const NamedNumber& each : numbers) {
+        if (each.is_whole() && std::ranges::count(names, each.name) > 0) {
+            if (each.name != names[next]) {
+                return {};
+            }
+            next = (next + 1) % names.size();
+            rows += each.number + (next == 0 ? '\n' : ' ');
+        }
+    }
+    return next == 0 ? rows : rows.substr(0, rows.rfind('\n') + 1); // the beginning of a file may end in a row
+}
+
 } // namespace
+
+std::vector<LabelledLines> named_lines(const std::vector<std::string_view>& lines, const Spec& spec) {
+    const std::size_t size = spec.size();
+    const auto numbers = mapped(lines, [](std::string_view line) { return NamedNumber(line); });
+    std::vector<LabelledLines> sets;
+    for (std::size_t at = 0; at + size <= numbers.size(); ++at) {
+        const auto block = std::span(numbers).subspan(at, size);
+        const auto names = mapped(block, [](const NamedNumber& each) { return each.name; });
+        const auto known = std::ranges::all_of(block, &NamedNumber::is_whole) ? find_names(spec, names) : std::nullopt;
+        if (!known) {
+            continue;
+        }
+        const std::string above = at > 0 && numbers[at - 1].number.empty() ? numbers[at - 1].name : "";
+        const std::string sed = fmt::format("sed -n -E 's/^[- ]*({}) *[:=] *//p'", joined(names, "|"));
+        const std::string command = above.empty() ? sed : fmt::format("grep -w -A {} {}", size, in_shell(above));
+        const bool is_aside = lower(above) == "header" || lower(above) == "stamp" || is(WordKind::aside, above);
+        if (is_aside || std::ranges::count(sets, command, &LabelledLines::command) > 0) {
+            continue;
+        }
+        std::vector<NamedNumber> found;
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            if (above.empty() || is_with(lines[i], above)) { // grep -A
+                const std::size_t end = std::min(i + (above.empty() ? 1 : size + 1), numbers.size());
+                found.insert(found.end(), numbers.begin() + static_cast<std::ptrdiff_t>(i),
+                             numbers.begin() + static_cast<std::ptrdiff_t>(end));
+            }
+        }
+        std::string paste = " | paste -d ' '";
+        for (std::size_t i = 0; i < size; ++i) {
+            paste += " -";
+        }
+        sets.push_back({.command = command,
+                        .others = (above.empty() ? "" : " | " + sed) + paste,
+                        .text = rows_of_names(found, names),
+                        .line = {},
+                        .is_ragged = false,
+                        .columns = known->columns()});
+    }
+    return sets;
+}
 
 std::optional<LabelledLines> labelled_lines(const std::vector<std::string_view>& lines,
                                             const stream::RowNumbers& numbers, const std::string& from) {

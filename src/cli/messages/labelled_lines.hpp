@@ -9,7 +9,7 @@
 
 namespace rotconv::cli {
 
-/// Commands of the shell that make rows of lines such as XP1={X 445,Y 0,Z 790,A 30,B 20,C 10}: of their numbers alone.
+/// Commands of the shell that make rows of lines that also have words: of their numbers alone.
 struct LabelledLines {
     std::string command; ///< that reads the file
     std::string others;  ///< behind a |
@@ -19,10 +19,14 @@ struct LabelledLines {
     std::string columns; ///< of the attitude among the numbers, as a LIST
 };
 
-/// Of the lines that hold an attitude as VALUEs do, those with a word of the first one, or all that have numbers: the
-/// most that hold it at the same place. Nothing where there are none.
+/// Of the lines that hold an attitude as VALUEs do, such as XP1={X 445,Y 0,Z 790,A 30,B 20,C 10}, those with a word of
+/// the first one, or all that have numbers: the most that hold it at the same place. Nothing where there are none.
 /// @param from the SPEC as it is given
 [[nodiscard]] std::optional<LabelledLines> labelled_lines(const std::vector<std::string_view>& lines,
                                                           const stream::RowNumbers& numbers, const std::string& from);
+
+/// Of lines such as `x: 0.5` and `Q1 = 0.5`, those with the names of a SPEC below each other, perhaps under a name that
+/// tells them from others, as in a message of ROS: each set of names once.
+[[nodiscard]] std::vector<LabelledLines> named_lines(const std::vector<std::string_view>& lines, const Spec& spec);
 
 } // namespace rotconv::cli

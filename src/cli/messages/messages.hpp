@@ -83,6 +83,9 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 /// What a word of the command line may mean that is neither an option nor a number nor a FILE.
 [[nodiscard]] std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at);
 
+/// The command line with numbers for its multiples of pi; nothing if it has none.
+[[nodiscard]] std::vector<Mend> with_numbers_for_pi(const OptionSet& options);
+
 /// What the word means in other programs, with "; " in front; empty for others.
 [[nodiscard]] std::string meaning_of_word(std::string_view word);
 /// Whether people write it in the place of a command.

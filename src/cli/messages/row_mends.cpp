@@ -57,22 +57,49 @@ bool is_plain(const std::string& name) {
     });
 }
 
+/// A header, and where in it the names of a SPEC are.
+struct Header {
+    std::vector<std::string> names;
+    KnownNames known;
+};
+/// The last of rows that has them, perhaps behind the mark of a comment.
+std::optional<Header> header_among(std::span<const Row> rows, const Spec& spec) {
+    for (std::size_t i = rows.size(); i-- > 0;) {
+        const auto names = rows[i].is_row ? rows[i].names() : rows[i].without_mark().names();
+        if (const auto known = find_names(spec, names)) {
+            return Header{names, *known};
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<Row> rows_of(std::string_view text, const stream::InputOptions& input) {
+    std::vector<Row> rows;
+    while (!text.empty()) {
+        rows.emplace_back(stream::next_line(text), input);
+    }
+    return rows;
+}
+
 /// The beginning of a stream with a row that cannot be read, and how it may be read.
 class UnreadRows {
 public:
     UnreadRows(const RowsCommand& command, std::string_view text, std::size_t line, bool is_guess)
         : command_(&command), is_guess_(is_guess), input_(command.options.input), spec_(input_.numbers.attitude),
-          count_(input_.numbers.names.size()), at_(line - 1), text_(text) {
-        while (!text.empty()) {
-            rows_.emplace_back(stream::next_line(text), input_);
-        }
-    }
+          count_(input_.numbers.names.size()), at_(line - 1), text_(text), rows_(rows_of(text, input_)) {}
 
-    [[nodiscard]] std::vector<std::vector<Mend>> mends() {
+    [[nodiscard]] std::vector<std::vector<Mend>> mends(bool has_answers) {
         if (at_ >= rows_.size()) {
             return {};
         }
         const auto first = std::ranges::find_if(rows_, &Row::has_numbers);
+        offer_named_kinds();
+        if (first != rows_.end()) {
+            offer_every_second(static_cast<std::size_t>(first - rows_.begin()));
+        }
+        if (has_answers) { // a row among others is what it is
+            return std::move(mends_);
+        }
         if (first != rows_.end() && !offer_columns(static_cast<std::size_t>(first - rows_.begin()))) {
             return std::move(mends_); // what is read by index would be against the names
         }
@@ -89,6 +116,7 @@ public:
         if (!is_guess_) {
             offer_kinds();
         }
+        offer_named_lines();
         offer_labelled_lines();
         offer_text("", std::string(text_));
         for (std::size_t i = rows_.size();
@@ -116,19 +144,24 @@ private:
         }
     }
 
+    /// Those offered last are as good as each other.
+    void join_groups(std::size_t first) {
+        for (; mends_.size() > first + 1; mends_.pop_back()) {
+            mends_[first].insert(mends_[first].begin() + 1, mends_.back().begin(), mends_.back().end());
+        }
+    }
+
     /// Offers columns: by the names above the row; the only numbers among its fields; a matrix of 3x4 or 4x4; or those
     /// that are a unit quaternion, whose order is not known. False if the names are those of other columns than the
     /// row has.
     bool offer_columns(std::size_t row) {
         const auto& fields = rows_[row].fields;
         const bool is_alone = spec_ && spec_->size() == count_;
-        for (std::size_t i = row; is_alone && i-- > 0;) {
-            const auto names = (rows_[i].is_row ? rows_[i] : rows_[i].without_mark()).names();
-            if (const auto known = find_names(*spec_, names)) {
-                const auto found = known->of(names);
-                offer({setting("--columns", std::ranges::all_of(found, is_plain) ? joined(found) : known->columns())});
-                return names.size() == fields.size();
-            }
+        if (const auto above = is_alone ? header_among(std::span(rows_).first(row), *spec_) : std::nullopt) {
+            const auto found = above->known.of(above->names);
+            offer(
+                {setting("--columns", std::ranges::all_of(found, is_plain) ? joined(found) : above->known.columns())});
+            return above->names.size() == fields.size();
         }
         if (const std::string numbers = numbers_among(fields); !numbers.empty()) {
             offer({setting("--columns", numbers)});
@@ -136,6 +169,29 @@ private:
             offer_choices(fields.size());
         }
         return true;
+    }
+    /// Offers every second line, if rows alternate with other ones, as in COLMAP's images.txt.
+    void offer_every_second(std::size_t first) {
+        std::string made;
+        bool has_others = false;
+        for (std::size_t i = first; i < rows_.size(); ++i) {
+            const bool is_like_first = rows_[i].has_numbers && rows_[i].fields.size() == rows_[first].fields.size();
+            has_others = has_others || !is_like_first;
+            if ((i - first) % 2 == 0) {
+                if (!is_like_first) {
+                    return;
+                }
+                made += std::string(rows_[i].line.text) + "\n";
+            }
+        }
+        if (has_others && rows_.size() > first + 2) {
+            const std::string pipe = fmt::format("sed -n '{},${{p;n;}}'", first + 1);
+            const auto above = spec_ ? header_among(std::span(rows_).first(first), *spec_) : std::nullopt;
+            if (above && above->names.size() == rows_[first].fields.size()) {
+                offer({setting("--columns", above->known.columns())}, pipe, made);
+            }
+            offer_text(pipe, made);
+        }
     }
     /// Offers columns of a row of so many fields that may be an attitude: a matrix of 3x4 or 4x4; or those that are a
     /// unit quaternion, whose order is not known.
@@ -151,8 +207,7 @@ private:
             offer({columns}, pipe, text);
             if (!spec_->has_given_order && spec_->project == nullptr && mends_.size() > before) {
                 offer({columns, setting("--from", "quat:xyzw")}, pipe, text);
-                mends_[before].push_back(mends_.back().front());
-                mends_.pop_back();
+                join_groups(before);
             }
         }
     }
@@ -244,8 +299,8 @@ private:
         offer(columns, "grep .", made, " | " + command);
     }
 
-    /// Offers rows that begin with the name of their kind, for each of several kinds.
-    void offer_kinds() {
+    /// The words with which rows begin.
+    [[nodiscard]] std::vector<std::string> kinds_of_rows() const {
         std::vector<std::string> kinds;
         for (const Row& row : rows_) {
             const std::string_view name = row.has_numbers ? row.fields[0] : "";
@@ -255,17 +310,53 @@ private:
                 kinds.emplace_back(name);
             }
         }
+        return kinds;
+    }
+    /// Offers rows that begin with the name of their kind, for each of several kinds.
+    void offer_kinds() {
+        auto kinds = kinds_of_rows();
         std::erase_if(kinds, [this](const std::string& kind) { // of a single row
             return std::ranges::count_if(rows_, [&kind](const Row& row) { return row.line.text.starts_with(kind); }) <
                    2;
         });
         for (const std::string& kind :
              kinds.size() < 2 || kinds.size() > most_kinds ? std::vector<std::string>() : kinds) {
-            std::string rows;
+            offer_text("grep " + in_shell("^" + kind), rows_of_kind(kind));
+        }
+    }
+    [[nodiscard]] std::string rows_of_kind(const std::string& kind) const {
+        std::string rows;
+        for (const Row& row : rows_) {
+            rows += row.line.text.starts_with(kind) ? std::string(row.line.text) + "\n" : "";
+        }
+        return rows;
+    }
+    /// Offers the rows of a kind whose names a row of another one ends with, as FMT of ArduPilot's logs.
+    void offer_named_kinds() {
+        for (const std::string& kind : spec_ ? kinds_of_rows() : std::vector<std::string>()) {
+            const auto first = std::ranges::find_if(
+                rows_, [&kind](const Row& row) { return row.has_numbers && row.fields[0] == kind; });
+            const std::size_t count = first->fields.size() - 1;
             for (const Row& row : rows_) {
-                rows += row.line.text.starts_with(kind) ? std::string(row.line.text) + "\n" : "";
+                const auto names = row.names();
+                const bool is_of_kind = names.size() > count && names[0] != kind && std::ranges::count(names, kind) > 0;
+                const auto last = is_of_kind ? names.end() - static_cast<std::ptrdiff_t>(count) : names.end();
+                const auto sets = sets_of_row(parts_of(input_.numbers), {last, names.end()}, "").rows;
+                if (sets.size() == 1) {
+                    const auto columns = mapped(sets[0], [](std::size_t place) { return place + 2; });
+                    offer({setting("--columns", joined(columns))}, "grep " + in_shell("^" + kind), rows_of_kind(kind));
+                }
             }
-            offer_text("grep " + in_shell("^" + kind), rows);
+        }
+    }
+    /// Offers numbers that stand one below the other, each behind its name, perhaps with a name above them all.
+    void offer_named_lines() {
+        if (spec_ && spec_->size() == count_ && command_->line->find("--columns") != nullptr) {
+            const std::size_t before = mends_.size();
+            for (const auto& each : named_lines(mapped(rows_, [](const Row& row) { return row.line.text; }), *spec_)) {
+                offer({setting("--columns", each.columns)}, each.command, each.text, each.others);
+            }
+            join_groups(before);
         }
     }
 
@@ -298,7 +389,7 @@ private:
     std::size_t count_; ///< of numbers
     std::size_t at_;    ///< index of the line at which reading stopped
     std::string_view text_;
-    std::vector<Row> rows_{};
+    std::vector<Row> rows_;
     std::vector<std::vector<Mend>> mends_{};
 };
 
@@ -388,34 +479,40 @@ std::vector<std::string> specs_of_file(const std::string& name, const std::strin
 } // namespace
 
 std::vector<std::vector<Mend>> row_mends(const RowsCommand& command, std::string_view beginning, std::size_t line,
-                                         bool is_guess) {
+                                         bool is_guess, bool has_answers) {
     const bool is_text = beginning.find('\0') == std::string_view::npos;
-    return is_text ? UnreadRows(command, beginning, line, is_guess).mends() : std::vector<std::vector<Mend>>();
+    return is_text ? UnreadRows(command, beginning, line, is_guess).mends(has_answers)
+                   : std::vector<std::vector<Mend>>();
 }
 
-std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::string_view beginning) {
+std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::string_view text,
+                                               std::string_view beginning) {
     const stream::InputOptions& input = command.options.pairing->reference;
     const auto& spec = input.numbers.attitude;
     const Option* const option = command.line->find("--reference-columns");
-    for (std::string_view text = beginning; spec && option != nullptr && !option->given() && !text.empty();) {
-        const Row row(stream::next_line(text), input);
-        const auto columns = row.has_numbers ? columns_of_project(*spec, row.fields.size()) : stream::ChosenColumns();
-        if (columns.are_known) {
-            const auto indices =
-                mapped(columns.positions, [](std::size_t position) { return fmt::format("{}", position + 1); });
-            return {{{{OptionSet::setting(*option, joined(indices))}}}};
-        }
+    const auto rows = rows_of(beginning, input);
+    const auto row = std::ranges::find_if(rows, &Row::has_numbers);
+    if (!spec || option == nullptr || option->given() || row == rows.end()) {
+        return {};
     }
-    return {};
+    KnownNames found{columns_of_project(*spec, row->fields.size()).positions};
+    if (const auto of_file = header_among(rows_of(text, command.options.input), *spec);
+        found.places.empty() && of_file && of_file->names.size() == row->fields.size()) {
+        found = of_file->known; // two files of one kind, of which one has names
+    }
+    return found.places.empty() ? std::vector<std::vector<Mend>>()
+                                : std::vector<std::vector<Mend>>{{{{OptionSet::setting(*option, found.columns())}}}};
 }
 
 Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
     const Option* const from = options.find("--from");
     const std::string given = options.files.empty() ? options.input.text() : options.files[0];
     const std::string path = given.empty() && options.values.empty() ? stream::File::name_of_input() : given;
-    const bool lacks_from = std::string_view(error.what()).starts_with("--from");
+    const bool is_identify = options.begin > 0 && options.words[options.begin - 1] == "identify" && !from->given();
+    bool lacks_from = is_identify || std::string_view(error.what()).starts_with("--from");
     std::vector<std::string> specs;
     std::string said = error.what();
+    said += is_identify ? ": identify needs rows that also have the attitude in a known convention" : "";
     if (!lacks_from) {
         const std::string& own = from != nullptr ? from->text() : "";
         const bool is_quat = find_names(std::get<Spec>(parse_spec("quat")), names_of_spec(own)).has_value();
@@ -427,10 +524,18 @@ Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
     } else if (const auto bytes = path.empty() ? std::optional(stream::File::lines_of_pipe()) : first_bytes(path)) {
         specs = specs_of_file(path.empty() ? "the input" : quoted(path), *bytes, said);
     }
+    const bool has_known = is_identify && specs == std::vector<std::string>{"quat", "quat:xyzw"}; // of such a width
+    if (has_known) {
+        specs = {"quat"};
+        lacks_from = false;
+    }
     std::vector<Mend> mends;
     for (const std::string& spec : specs) {
         const std::size_t place = lacks_from || from == nullptr ? options.begin : from->place.word + 1;
         mends.push_back({{{{place}, 0, {lacks_from ? "-f" : "-t", spec}}}});
+        if (is_identify && !has_known) { // how the numbers are read is what is asked
+            mends.back().edits.push_back({{options.begin - 1}});
+        }
     }
     Usage usage = Usage(said).with(std::move(mends), said == error.what() ? "; see rotconv --help" : "");
     usage.guesses_spec = lacks_from;
