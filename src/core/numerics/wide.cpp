@@ -1,6 +1,7 @@
 #include "wide.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -62,8 +63,18 @@ bool operator<(Bound a, Bound b) noexcept {
     return b.v != 0.0 && (a.v == 0.0 || a.x < b.x || (a.x == b.x && a.v < b.v));
 }
 
-Exponent length(const Int& m) noexcept { return m.is_zero() ? 0 : static_cast<Exponent>(msb(abs(m))) + 1; }
+Exponent length(const Int& m) noexcept {
+    const auto& digits = m.backend();
+    const mp::limb_type first = digits.limbs()[digits.size() - 1];
+    return static_cast<Exponent>((digits.size() - 1) * digits.limb_bits) + std::bit_width(first);
+}
 Int one_at(Exponent bit) noexcept { return Int(1) << static_cast<unsigned long>(bit); }
+
+void negate_if(bool condition, Int& m) noexcept {
+    if (condition) {
+        m.backend().negate();
+    }
+}
 
 /// m 2^by, rounded towards 0; whether it is exact.
 bool shift(Int& m, Exponent by) noexcept {
@@ -72,10 +83,10 @@ bool shift(Int& m, Exponent by) noexcept {
         return true;
     }
     const bool is_negative = m.sign() < 0;
-    m = abs(m);
+    negate_if(is_negative, m);
     const bool is_exact = static_cast<Exponent>(lsb(m)) >= -by;
     m >>= static_cast<unsigned long>(-by);
-    m = is_negative ? Int(-m) : m;
+    negate_if(is_negative, m);
     return is_exact;
 }
 
@@ -169,7 +180,6 @@ struct Wide::Number {
         }
         e = place;
     }
-    void negate_if(bool condition) noexcept { m = condition ? Int(-m) : m; }
     static Number* of(Int digits, Exponent exponent, Bound error) noexcept {
         auto* const n = new Number;
         n->m = std::move(digits);
@@ -261,7 +271,7 @@ Wide Wide::shifted(int power) const noexcept {
 
 Wide operator-(const Wide& a) noexcept {
     Wide b = a;
-    b.number_->negate_if(true);
+    b.number_->m.backend().negate();
     return b;
 }
 Wide operator+(const Wide& a, const Wide& b) noexcept {
@@ -331,7 +341,7 @@ Wide scaled(const Wide& a, double power) noexcept {
     int own = 0;
     const double f = std::frexp(power, &own);
     Wide b = a.shifted(own - 1);
-    b.number_->negate_if(f < 0.0);
+    negate_if(f < 0.0, b.number_->m);
     return b;
 }
 
@@ -437,8 +447,8 @@ void Wide::find_sine_cosine(const Wide& angle, bool in_degrees, Wide& sine, Wide
     if ((quadrant & 1U) != 0) {
         std::swap(sine, cosine);
     }
-    sine.number_->negate_if(quadrant >= 2);
-    cosine.number_->negate_if(quadrant == 1 || quadrant == 2);
+    negate_if(quadrant >= 2, sine.number_->m);
+    negate_if(quadrant == 1 || quadrant == 2, cosine.number_->m);
 }
 
 /// The angle of a tangent of at most about 1, in radians: that of its double, and Gregory's series of the rest.
