@@ -12,8 +12,9 @@
 
 #include "../core/conversion/kernels.hpp"
 #include "../core/projects.hpp"
+#include "../operations/operations.hpp"
 #include "../stream/bytes/file.hpp"
-#include "../stream/bytes/io_block.hpp"
+#include "../stream/numbers/number_text.hpp"
 #include "messages/answers.hpp"
 #include "row_options.hpp"
 
@@ -35,28 +36,42 @@ std::string help(const CommandEntry& entry, const OptionSet& options, const Opti
     return text + "\n" + help_footer();
 }
 
-/// The mend by which VALUEs stand in each row of the FILE, before or behind what it has: one attitude for many vectors.
+/// The mend by which VALUEs stand in each row of the FILE: one attitude for many vectors, or one vector.
 std::vector<Mend> with_values_in_rows(const CommandOptions& operands) {
+    const bool is_rotate = operands.begin > 0 && operands.words[operands.begin - 1] == "rotate";
+    const auto parsed = parse_spec(is_rotate ? operands.find("--from")->text() : "");
+    const auto* const spec = std::get_if<Spec>(&parsed);
+    std::string text = joined(operands.values, " ");
+    std::ranges::replace(text, ',', ' ');
+    const auto numbers = words_in(text);
     const auto bytes = operands.files.size() == 1 ? first_bytes(operands.files[0]) : std::nullopt;
-    if (!bytes || operands.value_words.empty() || operands.begin == 0) { // a conversion has one attitude
+    const auto rows = bytes ? simple_rows(*bytes) : std::nullopt;
+    if (spec == nullptr || !rows || operands.value_words.empty() ||
+        !std::ranges::all_of(numbers, [](const std::string& number) { return stream::is_number(number); })) {
         return {};
     }
-    const std::string mark = bytes->find(',') != std::string::npos ? "," : " ";
-    std::string numbers = joined(operands.values, " ");
-    std::ranges::replace(numbers, ',', ' ');
-    numbers = joined(words_in(numbers), mark);
-    const bool are_before = operands.value_words[0].word < operands.file_words[0].word;
-    const std::string added = are_before ? "^/" + numbers + mark : "$/" + mark + numbers;
-    const bool has_header = begins_with_header(*bytes);
-    std::string text;
-    std::string_view rest = *bytes;
-    static_cast<void>(has_header ? stream::next_line(rest) : stream::Line());
-    while (!rest.empty()) {
-        const std::string line(stream::next_line(rest).text);
-        text += (are_before ? numbers + mark + line : line + mark + numbers) + "\n";
+    const bool is_attitude = numbers.size() == spec->size();
+    const bool are_first = operands.value_words[0].word < operands.file_words[0].word;
+    if (!is_attitude && numbers.size() != 3) {
+        return {};
     }
-    return {operands.piped({mapped(operands.value_words, [](const WordEnd& word) { return Edit{word}; })},
-                           fmt::format("sed '{}s/{}/'", has_header ? "1d;" : "", added), text)};
+    if (is_attitude && numbers.size() == 3 && !are_first) { // it may be either
+        return {};
+    }
+    const auto added = [&](const std::vector<std::string>& words) {
+        return is_attitude ? joined(words, rows->mark) + rows->mark : rows->mark + joined(words, rows->mark);
+    };
+    const std::string own = added(numbers);
+    const std::string names =
+        added(is_attitude ? operations::names_of(*spec) : std::vector<std::string>{"x", "y", "z"});
+    const char end = is_attitude ? '^' : '$';
+    const std::string filter = rows->has_header ? fmt::format("sed '1s/{0}/{1}/;2,$s/{0}/{2}/'", end, names, own)
+                                                : fmt::format("sed 's/{}/{}/'", end, own);
+    return {operands.piped({mapped(operands.value_words, [](const WordEnd& word) { return Edit{word}; })}, filter,
+                           filtered_lines(*bytes, [&](std::size_t index, const std::string& line) {
+                               const std::string& more = rows->has_header && index == 0 ? names : own;
+                               return is_attitude ? more + line : line + more;
+                           }))};
 }
 
 /// Refuses operands that cannot be combined, and FILEs that cannot be read.

@@ -117,7 +117,9 @@ Values values_or_mends(const RowOptions& options, const stream::InputOptions& in
     } catch (Usage& error) {
         error.mends = mapped(error.specs,
                              [&](const std::string& spec) { return Mend{{OptionSet::setting(options.from, spec)}}; });
-        if (error.mends.empty()) {
+        const bool in_degrees =
+            options.degrees.given() || (in.numbers.attitude && in.numbers.attitude->unit == AngleUnit::degrees);
+        if (error.mends.empty() && !in_degrees) {
             error.mends = messages::with_numbers_for_pi(options);
             error.otherwise = error.mends.empty() ? "" : "; see rotconv --help";
         }

@@ -80,6 +80,9 @@ std::optional<std::pair<std::string, std::vector<stream::Note>>> row_of_text(std
             continue;
         }
         ++lines;
+        std::erase_if(fields, [](std::string_view field) { // brackets
+            return field.find_first_of("0123456789") == std::string_view::npos;
+        });
         is_matrix = is_matrix && (fields.size() == 3 || fields.size() == 4) && (lines == 1 || fields.size() == width);
         width = fields.size();
         rows.append(line).append("\n");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <utility>
 #include <variant>
@@ -65,8 +66,10 @@ struct Attempt {
     }
 };
 
-/// Whether the rows have names that are not those of the attitude: that they are as many as its numbers proves nothing.
-bool has_other_names(const stream::InputOptions& input, std::string_view text) {
+enum class RowNamesKind : std::uint8_t { none, others, own };
+
+/// What names the rows have. That they are as many as the attitude's numbers proves nothing.
+RowNamesKind names_of_rows(const stream::InputOptions& input, std::string_view text) {
     bool has_names = false;
     bool has_row = false;
     for (int left = 100; left > 0 && !text.empty() && input.columns.empty() && input.columns_of; --left) {
@@ -78,18 +81,18 @@ bool has_other_names(const stream::InputOptions& input, std::string_view text) {
         if (std::ranges::any_of(header.fields, stream::is_number)) {
             has_row = true;
         } else if (input.columns_of(header.names()).are_known) {
-            return false;
+            return RowNamesKind::own;
         } else {
             has_names = has_names || !has_row;
         }
     }
-    return has_names;
+    return has_names ? RowNamesKind::others : RowNamesKind::none;
 }
 
 /// What came of an attempt.
 struct Outcome {
     bool serves = false;
-    bool has_other_names = false;           ///< in its header
+    RowNamesKind names = RowNamesKind::none;
     bool is_tried = false;                  ///< on the first rows
     bool is_of_project = false;             ///< which has several SPECs
     bool is_of_values = false;              ///< which mean another SPEC
@@ -133,8 +136,9 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
     }
     const auto ending = stream::run(source, nullptr, options, take, reference ? &*reference : nullptr);
     if (ending.answered > 0 && (!whole || (!ending.error && !wrong))) {
-        const bool has_others = !command.has_values && !is_whole_text && has_other_names(options.input, text);
-        return {.serves = true, .has_other_names = has_others, .is_tried = !has_others, .better = better};
+        const auto names =
+            command.has_values || is_whole_text ? RowNamesKind::none : names_of_rows(options.input, text);
+        return {.serves = true, .names = names, .is_tried = names != RowNamesKind::others, .better = better};
     }
     using What = stream::StreamError::What;
     if (command.has_values || options.input.width > 0) {
@@ -235,7 +239,7 @@ private:
             return;
         }
         const Outcome outcome = outcome_of(attempt, depth == 0 || depth == deepest);
-        if (outcome.serves && !attempt.order.empty()) {
+        if (outcome.serves && !attempt.order.empty() && outcome.names != RowNamesKind::own) {
             follow(attempt.in_order(), depth, is_choice);
             return;
         }
@@ -247,7 +251,7 @@ private:
             }
         }
         is_of_project_ = is_of_project_ || outcome.is_of_project;
-        if (outcome.serves && depth > 0 && !(is_choice && outcome.has_other_names)) {
+        if (outcome.serves && depth > 0 && !(is_choice && outcome.names == RowNamesKind::others)) {
             Attempt whole = attempt;
             whole.words.insert(std::ranges::find(whole.words, "--"), axes_.begin(), axes_.end());
             const bool has_axes = !axes_.empty() && outcome_of(whole).serves;
@@ -296,10 +300,22 @@ std::optional<std::string> first_bytes(const std::string& path) {
     return text;
 }
 
-bool begins_with_header(std::string_view text) {
-    std::string first(stream::next_line(text).text);
-    std::ranges::replace(first, ',', ' ');
-    return !std::ranges::all_of(words_in(first), stream::is_number);
+std::optional<SimpleRows> simple_rows(std::string_view text) {
+    if (text.find_first_of("\"\r\xEF") != std::string_view::npos) {
+        return std::nullopt;
+    }
+    const stream::Line line = stream::next_line(text);
+    const stream::HeaderLine first(line, stream::Delimiter::of_row(line.text));
+    return SimpleRows{std::string(1, first.delimiter.text()), std::ranges::none_of(first.fields, stream::is_number)};
+}
+
+std::string filtered_lines(std::string_view text,
+                           const std::function<std::string(std::size_t, const std::string&)>& filter) {
+    std::string made;
+    for (std::size_t i = 0; !text.empty(); ++i) {
+        made += filter(i, std::string(stream::next_line(text).text)) + "\n";
+    }
+    return made;
 }
 
 std::string answers(const std::vector<std::string>& words, std::optional<std::string_view> beginning) {
@@ -344,7 +360,7 @@ std::optional<std::vector<std::string>> only_answer(const std::vector<std::strin
             if (only) {
                 return std::nullopt;
             }
-            only = attempt.in_order().words;
+            only = (outcome.names == RowNamesKind::own ? attempt : attempt.in_order()).words;
         }
     }
     return only;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,8 +37,17 @@ inline constexpr std::string_view raw_word = "\x01";
 /// The first bytes of a file that can be read again; nothing for others.
 [[nodiscard]] std::optional<std::string> first_bytes(const std::string& path);
 
-/// Whether the first line of a text has more than numbers.
-[[nodiscard]] bool begins_with_header(std::string_view text);
+/// Rows that a filter of lines may lengthen.
+struct SimpleRows {
+    std::string mark; ///< between fields
+    bool has_header = false;
+};
+/// Nothing for a text with quotes, carriage returns or a byte order mark.
+[[nodiscard]] std::optional<SimpleRows> simple_rows(std::string_view text);
+/// What a filter makes of a text, line by line from 0 on.
+[[nodiscard]] std::string
+filtered_lines(std::string_view text,
+               const std::function<std::string(std::size_t index, const std::string& line)>& filter);
 
 /// Mends of a command that cannot read its first rows, those of a group as good as each other; see row_mends.cpp.
 /// @param line at which reading stopped

@@ -53,8 +53,8 @@ public:
         if (is_spec(text) && argument_.find(',') != std::string::npos && !is_value(argument_)) { // --quat a,b,c,d
             return {{{{{at_}, is_joined_ ? std::size_t{1} : 2, {"-f", text, "--columns", argument_}}}}};
         }
-        if (listed == 0 || (text == "- -" && argument_.size() != 1 && !stream::is_number(argument_)) ||
-            (text == "-o ARG" && is_spec(argument_)) || (text == "@ARG" && !is_of_rotate)) {
+        if (listed == 0 || (text == "- -" && argument_.size() != 1) || (text == "-o ARG" && is_spec(argument_)) ||
+            (text == "@ARG" && !is_of_rotate)) {
             return {};
         }
         Mend mend{{{{at_}, takes_argument && listed < 2 && !is_joined_ ? std::size_t{2} : 1}}};
@@ -132,25 +132,25 @@ private:
         const auto lines = number_beside_file();
         return lines ? std::vector{reading(mend, fmt::format("tail -n +{:.0f}", *lines + 1.0))} : std::vector<Mend>();
     }
-    /// With times before the rows, and without their header.
+    /// With times before the rows, where they are read.
     [[nodiscard]] std::vector<Mend> with_times(const Mend& mend) const {
+        const std::string command = options_->begin > 0 ? options_->words[options_->begin - 1] : "";
         const auto step = number_beside_file();
         const auto bytes = options_->files.size() == 1 ? first_bytes(options_->files[0]) : std::nullopt;
-        if (!step || !bytes) {
+        const auto rows = bytes ? simple_rows(*bytes) : std::nullopt;
+        if (!step || !rows || (command != "rates" && command != "propagate")) {
             return {};
         }
-        const std::size_t header = begins_with_header(*bytes) ? 1 : 0;
-        const std::string mark = bytes->find(',') != std::string::npos ? "," : " ";
-        Mend made = reading(mend, fmt::format("awk '{}{{printf \"%.9f{}%s\\n\", (NR-{}) * {}, $0}}'",
-                                              header > 0 ? "NR > 1 " : "", mark, header + 1, argument_));
-        std::string_view rest = *bytes;
-        made.text.emplace();
-        for (std::size_t line = 0; !rest.empty(); ++line) {
-            const std::string text(stream::next_line(rest).text);
-            made.text->append(
-                line < header ? ""
-                              : fmt::format("{:.9f}{}{}\n", static_cast<double>(line - header) * *step, mark, text));
-        }
+        const std::size_t first = rows->has_header ? 1 : 0;
+        const std::string header =
+            rows->has_header ? fmt::format("NR == 1 {{print \"t{}\" $0; next}} ", rows->mark) : "";
+        Mend made = reading(mend, fmt::format("awk '{}{{printf \"%.9f{}%s\\n\", (NR-{}) * {}, $0}}' <", header,
+                                              rows->mark, first + 1, argument_));
+        made.text = filtered_lines(*bytes, [&](std::size_t index, const std::string& line) {
+            return index < first
+                       ? "t" + rows->mark + line
+                       : fmt::format("{:.9f}{}{}", static_cast<double>(index - first) * *step, rows->mark, line);
+        });
         return {made};
     }
     /// Also with a modifier of one of the SPECs, but an inverse of the one that is written.
@@ -286,13 +286,16 @@ std::vector<Mend> with_numbers_for_pi(const OptionSet& options) {
     Mend mend;
     for (std::size_t at = options.begin; at < options.words.size(); ++at) {
         const std::string& word = options.words[at];
+        const bool is_argument = std::ranges::any_of(options.all(), [at](const Option* option) {
+            return option->given() && option->takes_argument() && option->place.word == at;
+        });
         std::string made;
-        for (std::size_t i = 0; i < word.size();) {
+        for (std::size_t i = is_argument ? word.size() : 0; i < word.size();) {
             const std::size_t end = std::min(word.find_first_of(" ,;[](){}:=", i), word.size());
             made += end > i ? without_pi(word.substr(i, end - i)) : word.substr(i, 1);
             i = std::max(end, i + 1);
         }
-        if (made != word) {
+        if (!is_argument && made != word) {
             mend.edits.push_back({{at}, 1, {made}});
         }
     }
@@ -302,10 +305,12 @@ std::vector<Mend> with_numbers_for_pi(const OptionSet& options) {
 std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at) {
     const std::string& word = options.words[at];
     const Replaced replaced(options, at);
-    if (word.find('\\') != std::string::npos) { // of DICOM
-        std::string made = word;
+    if (std::string made = word; word.find('\\') != std::string::npos) { // of DICOM
         std::ranges::replace(made, '\\', ' ');
-        return {{{{{at}, 1, {made}}}}};
+        const auto numbers = words_in(made);
+        const bool are_numbers =
+            std::ranges::all_of(numbers, [](const std::string& each) { return stream::is_number(each); });
+        return are_numbers ? std::vector<Mend>{{{{{at}, 1, {made}}}}} : std::vector<Mend>();
     }
     const Option* const from = options.find("--from");
     const Option* const to = options.find("--to");
@@ -385,10 +390,6 @@ Usage no_such_spec(const Option& option, const std::string& item, const SpecErro
         if (words.size() > 1) {
             mends.back().order.push_back({{Edit::at_end}, 0, {words.begin() + 1, words.end()}});
         }
-    }
-    if (option.name() == "--from" && holds_number(item)) { // VALUEs
-        mends.push_back(option.place.begin > 0 ? Mend{{{{option.place.word}, 1, {item}}}}
-                                               : Mend{{{{option.place.word - 1}, 2, {item}}}});
     }
     const bool is_known = find_project(error.text) != nullptr || find_meaning(error.text) != nullptr;
     const std::string where =

@@ -15,7 +15,7 @@
 namespace rotconv::cli {
 namespace {
 
-constexpr std::string_view numbers_filter = "sed -E 's/(^|[^0-9.])[A-Za-z_][A-Za-z_0-9]*/ /g; s/[^-+0-9.eE]/ /g'";
+constexpr std::string_view numbers_filter = "sed -E 's/(^|[^0-9.])[A-Za-z_][A-Za-z_0-9]*/ /g; s/[^-+0-9.eE]/ /g; s/[-+]( |$)/ /g'";
 constexpr std::string_view all_digits = "0123456789";
 
 bool is_digit(char c) { return all_digits.find(c) != std::string_view::npos; }
@@ -34,6 +34,10 @@ std::string numbers_alone(std::string_view line) {
     }
     std::ranges::replace_if(
         made, [](char c) { return !is_digit(c) && std::string_view("-+.eE").find(c) == std::string_view::npos; }, ' ');
+    for (std::size_t i = 0; i < made.size(); ++i) { // signs of nothing
+        const bool is_sign = made[i] == '-' || made[i] == '+';
+        made[i] = is_sign && (i + 1 == made.size() || made[i + 1] == ' ') ? ' ' : made[i];
+    }
     return made;
 }
 
@@ -84,14 +88,16 @@ public:
 
     [[nodiscard]] std::optional<LabelledLines> found() const {
         std::size_t tried = 0;
+        std::optional<LabelledLines> best;
         for (const std::string_view line : *lines_) {
             const bool has_marks = line.find_first_of("[](){}<>:=") != std::string_view::npos;
             const auto columns = has_marks && ++tried <= most_tried ? columns_in(line) : std::nullopt;
-            if (columns) {
-                return of_words(line, *columns);
+            auto made = columns ? of_words(line, *columns) : std::nullopt;
+            if (made && (!best || std::ranges::count(made->text, '\n') > std::ranges::count(best->text, '\n'))) {
+                best = std::move(made);
             }
         }
-        return std::nullopt;
+        return best;
     }
 
 private:
@@ -172,78 +178,79 @@ private:
     const std::string* from_;
 };
 
-/// A line that is a name and a number; without a number, or without a name, it is neither.
-struct NamedNumber {
+/// A name and what stands behind it, as the pattern of sed in named_lines() parts a line; without a mark no name.
+struct NamedText {
     std::string name{};
-    std::string number{};
+    std::string text{};
 
-    explicit NamedNumber(std::string_view line) {
+    explicit NamedText(std::string_view line) {
+        line.remove_prefix(std::min(line.find_first_not_of("- "), line.size()));
         const std::size_t mark = std::min(line.find_first_of(":="), line.size());
-        name = joined(words_in(line.substr(0, mark)), " ");
-        name.erase(0, name.starts_with("- ") ? 2 : 0);
-        number = joined(words_in(line.substr(std::min(mark + 1, line.size()))), " ");
-        const bool is_plain = std::ranges::all_of(name, [](char c) { return is_letter(c) || is_digit(c) || c == ' '; });
-        if (mark == line.size() || !is_plain || !(number.empty() || stream::is_number(number))) {
-            name.clear();
+        const auto is_plain = [](char c) { return is_letter(c) || is_digit(c) || c == ' '; };
+        if (mark < line.size() && std::ranges::all_of(line.substr(0, mark), is_plain)) {
+            name = line.substr(0, line.substr(0, mark).find_last_not_of(' ') + 1);
+            text = line.substr(std::min(line.find_first_not_of(' ', mark + 1), line.size()));
         }
     }
-    [[nodiscard]] bool is_whole() const { return !name.empty() && !number.empty(); }
+    [[nodiscard]] bool is_number() const { return !name.empty() && stream::is_number(text); }
 };
 
-/// The numbers of lines with these names, in rows; none if the names come in another order.
-std::string rows_of_names(std::span<const NamedNumber> numbers, const std::vector<std::string>& names) {
+/// What stands behind these names, in rows; nothing if the names come in another order.
+std::string rows_of_names(std::span<const NamedText> lines, const std::vector<std::string>& names, bool is_cut) {
     std::string rows;
     std::size_t next = 0;
-    for (const NamedNumber& each : numbers) {
-        if (each.is_whole() && std::ranges::count(names, each.name) > 0) {
+    for (const NamedText& each : lines) {
+        if (std::ranges::count(names, each.name) > 0) {
             if (each.name != names[next]) {
                 return {};
             }
             next = (next + 1) % names.size();
-            rows += each.number + (next == 0 ? '\n' : ' ');
+            rows += each.text + (next == 0 ? '\n' : ' ');
         }
     }
-    return next == 0 ? rows : rows.substr(0, rows.rfind('\n') + 1); // the beginning of a file may end in a row
+    return next == 0 ? rows : is_cut ? rows.substr(0, rows.rfind('\n') + 1) : "";
 }
 
 } // namespace
 
-std::vector<LabelledLines> named_lines(const std::vector<std::string_view>& lines, const Spec& spec) {
+std::vector<LabelledLines> named_lines(const std::vector<std::string_view>& lines, const Spec& spec, bool is_cut) {
+    constexpr std::size_t most_sets = 2;
     const std::size_t size = spec.size();
-    const auto numbers = mapped(lines, [](std::string_view line) { return NamedNumber(line); });
+    const auto texts = mapped(lines, [](std::string_view line) { return NamedText(line); });
     std::vector<LabelledLines> sets;
-    for (std::size_t at = 0; at + size <= numbers.size(); ++at) {
-        const auto block = std::span(numbers).subspan(at, size);
-        const auto names = mapped(block, [](const NamedNumber& each) { return each.name; });
-        const auto known = std::ranges::all_of(block, &NamedNumber::is_whole) ? find_names(spec, names) : std::nullopt;
+    std::vector<std::vector<std::string>> known_sets;
+    for (std::size_t at = 0; at + size <= texts.size() && sets.size() < most_sets; ++at) {
+        const auto block = std::span(texts).subspan(at, size);
+        const auto names = mapped(block, [](const NamedText& each) { return each.name; });
+        const bool is_new =
+            std::ranges::all_of(block, &NamedText::is_number) && std::ranges::count(known_sets, names) == 0;
+        const auto known = is_new ? find_names(spec, names) : std::nullopt;
         if (!known) {
             continue;
         }
-        const std::string above = at > 0 && numbers[at - 1].number.empty() ? numbers[at - 1].name : "";
-        const std::string sed = fmt::format("sed -n -E 's/^[- ]*({}) *[:=] *//p'", joined(names, "|"));
-        const std::string command = above.empty() ? sed : fmt::format("grep -w -A {} {}", size, in_shell(above));
-        const bool is_aside = lower(above) == "header" || lower(above) == "stamp" || is(WordKind::aside, above);
-        if (is_aside || std::ranges::count(sets, command, &LabelledLines::command) > 0) {
-            continue;
-        }
-        std::vector<NamedNumber> found;
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-            if (above.empty() || is_with(lines[i], above)) { // grep -A
-                const std::size_t end = std::min(i + (above.empty() ? 1 : size + 1), numbers.size());
-                found.insert(found.end(), numbers.begin() + static_cast<std::ptrdiff_t>(i),
-                             numbers.begin() + static_cast<std::ptrdiff_t>(end));
-            }
-        }
+        known_sets.push_back(names);
         std::string paste = " | paste -d ' '";
         for (std::size_t i = 0; i < size; ++i) {
             paste += " -";
         }
-        sets.push_back({.command = command,
-                        .others = (above.empty() ? "" : " | " + sed) + paste,
-                        .text = rows_of_names(found, names),
-                        .line = {},
-                        .is_ragged = false,
-                        .columns = known->columns()});
+        const std::string sed = fmt::format("sed -n -E 's/^[- ]*({}) *[:=] *//p'", joined(names, "|"));
+        LabelledLines made{sed, paste, rows_of_names(texts, names, is_cut), {}, false, known->columns()};
+        const std::string above = at > 0 && texts[at - 1].text.empty() ? texts[at - 1].name : "";
+        const bool is_aside = lower(above) == "header" || lower(above) == "stamp" || is(WordKind::aside, above);
+        if (made.text.empty() && !above.empty()) { // others have these names too
+            std::vector<NamedText> found;
+            for (std::size_t i = 0; i < texts.size(); ++i) {
+                const std::size_t end = is_with(lines[i], above) ? std::min(i + size + 1, texts.size()) : i;
+                found.insert(found.end(), texts.begin() + static_cast<std::ptrdiff_t>(i),
+                             texts.begin() + static_cast<std::ptrdiff_t>(end));
+            }
+            made.command = fmt::format("grep -w -A {} {}", size, in_shell(above));
+            made.others.insert(0, " | " + sed);
+            made.text = rows_of_names(found, names, is_cut);
+        }
+        if (!is_aside && !made.text.empty()) {
+            sets.push_back(made);
+        }
     }
     return sets;
 }

@@ -26,7 +26,9 @@ struct LabelledLines {
                                                           const stream::RowNumbers& numbers, const std::string& from);
 
 /// Of lines such as `x: 0.5` and `Q1 = 0.5`, those with the names of a SPEC below each other, perhaps under a name that
-/// tells them from others, as in a message of ROS: each set of names once.
-[[nodiscard]] std::vector<LabelledLines> named_lines(const std::vector<std::string_view>& lines, const Spec& spec);
+/// tells them from others, as in a message of ROS: two sets of names at most.
+/// @param is_cut more lines follow, so that the last row may not be whole
+[[nodiscard]] std::vector<LabelledLines> named_lines(const std::vector<std::string_view>& lines, const Spec& spec,
+                                                     bool is_cut);
 
 } // namespace rotconv::cli

@@ -87,7 +87,7 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"version", "--version", ""},
     {"rms rmse statistics stats", "-", "rotconv compare -f SPEC FILE REFERENCE prints it with its other figures"},
     {"junit", "", "not here: the exit status of rotconv compare --within says whether a check holds, --format json the figures"},
-    {"dt step timestep", "awk | - -", "times are a column of the rows, in seconds or in the unit of --time-unit"},
+    {"dt step timestep", "awk", "times are a column of the rows, in seconds or in the unit of --time-unit"},
     {"inertia torque dynamics", "", "not here: rotconv integrates angular velocities, which its rows give, and knows no torques"},
     {"kindscolumn", "", "a run a kind, such as rotconv sample -t SPEC --kind lock"},
     {"dtype f32 float32 float single double", "", "binary rows are doubles, f64; those of floats: NumPy's astype('<f8')"},
@@ -109,7 +109,7 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"to into", "-t ARG", "", true},
     {"convert conversion conv", "-", "the conversion has no name", true},
     {"integrate", "propagate", "", true},
-    {"derivative differentiate velocity rate", "rates --differences", "", true},
+    {"derivative differentiate velocity rate angvel angularvelocity", "rates --differences", "", true},
     // what stands beside numbers
     {"− – — －", "", "write the minus sign as -, the one of the keyboard"},
     {"pi π mpi np math", "", "write pi as 3.141592653589793, or angles in degrees, with :deg after the name of the SPEC"},

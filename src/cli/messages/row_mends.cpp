@@ -50,6 +50,11 @@ struct Filter {
 constexpr auto filters =
     std::to_array<Filter>({{"tr , .", ',', '.'}, {R"(tr , '\t')", ',', '\t'}, {"tr -d '\"'", '"'}});
 
+bool is_zero(std::string_view field) {
+    double number = 1.0;
+    return stream::read_number(field, number) == stream::NumberError::none && number == 0.0;
+}
+
 /// Whether it may stand in a LIST as it is.
 bool is_plain(const std::string& name) {
     return std::ranges::all_of(name, [](char c) {
@@ -97,7 +102,8 @@ public:
         if (first != rows_.end()) {
             offer_every_second(static_cast<std::size_t>(first - rows_.begin()));
         }
-        if (has_answers) { // a row among others is what it is
+        if (has_answers && first != rows_.end()) { // a row among others is what it is
+            offer_kind_of_row(*first);
             return std::move(mends_);
         }
         if (first != rows_.end() && !offer_columns(static_cast<std::size_t>(first - rows_.begin()))) {
@@ -120,8 +126,14 @@ public:
         offer_labelled_lines();
         offer_text("", std::string(text_));
         for (std::size_t i = rows_.size();
-             i-- > std::max<std::size_t>(at_, 1);) { // of several blocks of numbers the last
+             i-- > std::max<std::size_t>(at_, 1);) { // of several blocks of numbers the last, which is like no other
             if (rows_[i].has_numbers && !rows_[i - 1].has_numbers) {
+                const auto is_alike = [&](const Row& row) {
+                    return row.has_numbers && row.fields.size() == rows_[i].fields.size();
+                };
+                if (std::any_of(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(i), is_alike)) {
+                    break;
+                }
                 offer_block(i - 1, i); // with its header
                 offer_block(i, i);
                 break;
@@ -173,24 +185,32 @@ private:
     /// Offers every second line, if rows alternate with other ones, as in COLMAP's images.txt.
     void offer_every_second(std::size_t first) {
         std::string made;
-        bool has_others = false;
         for (std::size_t i = first; i < rows_.size(); ++i) {
             const bool is_like_first = rows_[i].has_numbers && rows_[i].fields.size() == rows_[first].fields.size();
-            has_others = has_others || !is_like_first;
-            if ((i - first) % 2 == 0) {
-                if (!is_like_first) {
-                    return;
-                }
-                made += std::string(rows_[i].line.text) + "\n";
+            const bool is_first_of_two = (i - first) % 2 == 0;
+            if (is_like_first != is_first_of_two) {
+                return;
             }
+            made += is_first_of_two ? std::string(rows_[i].line.text) + "\n" : "";
         }
-        if (has_others && rows_.size() > first + 2) {
+        if (rows_.size() > first + 2) {
             const std::string pipe = fmt::format("sed -n '{},${{p;n;}}'", first + 1);
             const auto above = spec_ ? header_among(std::span(rows_).first(first), *spec_) : std::nullopt;
             if (above && above->names.size() == rows_[first].fields.size()) {
                 offer({setting("--columns", above->known.columns())}, pipe, made);
             }
             offer_text(pipe, made);
+        }
+    }
+    /// Offers columns, of a quaternion whose order nothing says with either.
+    void offer_in_both_orders(const std::optional<Edit>& columns, bool is_known, const std::string& pipe,
+                              const std::string& text) {
+        const std::size_t before = mends_.size();
+        offer({columns}, pipe, text);
+        const bool is_quat = spec_->name == RepresentationId::quat && !spec_->has_given_order;
+        if (is_quat && !is_known && spec_->project == nullptr && mends_.size() > before) {
+            offer({columns, setting("--from", "quat:xyzw")}, pipe, text);
+            join_groups(before);
         }
     }
     /// Offers columns of a row of so many fields that may be an attitude: a matrix of 3x4 or 4x4; or those that are a
@@ -203,12 +223,7 @@ private:
         const std::size_t end = std::min<std::size_t>(fields, 20); // of fields that may be one
         for (std::size_t i = 0; is_alone && spec_->name == RepresentationId::quat && i + count_ <= end; ++i) {
             const auto columns = setting("--columns", fmt::format("{}-{}", i + 1, i + count_));
-            const std::size_t before = mends_.size();
-            offer({columns}, pipe, text);
-            if (!spec_->has_given_order && spec_->project == nullptr && mends_.size() > before) {
-                offer({columns, setting("--from", "quat:xyzw")}, pipe, text);
-                join_groups(before);
-            }
+            offer_in_both_orders(columns, false, pipe, text);
         }
     }
     /// The fields that are numbers, as a LIST, if others are not and they are as many as are wanted; empty if not.
@@ -281,7 +296,7 @@ private:
         const std::size_t width = lines.empty() ? 0 : lines[0].fields.size();
         const auto is_like_first = [&](const Row& row) { return row.has_numbers && row.fields.size() == width; };
         const bool is_whole = width == 4 && lines.size() > 3 && lines[3].fields.size() == 4 &&
-                              lines[3].fields[0] == "0" && lines[3].fields[1] == "0";
+                              is_zero(lines[3].fields[0]) && is_zero(lines[3].fields[1]);
         const std::size_t height = is_whole ? 4 : 3;
         if (!spec_ || spec_->name != RepresentationId::dcm || (width != 3 && width != 4) ||
             lines.size() % height != 0 || !std::ranges::all_of(lines, is_like_first)) {
@@ -306,7 +321,8 @@ private:
             const std::string_view name = row.has_numbers ? row.fields[0] : "";
             const bool is_word = !name.empty() && lower(name.substr(0, 1)) >= "a" && lower(name.substr(0, 1)) <= "z";
             const bool is_plain_word = is_word && name.find_first_of("*.[]^$\\") == std::string_view::npos;
-            if (is_plain_word && !stream::is_number(name) && std::ranges::count(kinds, name) == 0) {
+            if (kinds.size() < most_known_kinds && is_plain_word && !stream::is_number(name) &&
+                std::ranges::count(kinds, name) == 0) {
                 kinds.emplace_back(name);
             }
         }
@@ -321,31 +337,51 @@ private:
         });
         for (const std::string& kind :
              kinds.size() < 2 || kinds.size() > most_kinds ? std::vector<std::string>() : kinds) {
-            offer_text("grep " + in_shell("^" + kind), rows_of_kind(kind));
+            offer_kind(kind, {});
         }
     }
-    [[nodiscard]] std::string rows_of_kind(const std::string& kind) const {
+    /// Offers the rows that begin with a word, and others with these columns.
+    void offer_kind(const std::string& kind, const std::vector<std::optional<Edit>>& edits) {
         std::string rows;
+        char end = ' ';
         for (const Row& row : rows_) {
-            rows += row.line.text.starts_with(kind) ? std::string(row.line.text) + "\n" : "";
+            if (!row.fields.empty() && row.fields[0] == kind) {
+                end = row.delimiter.text();
+                rows += std::string(row.line.text) + "\n";
+            }
         }
-        return rows;
+        const std::string pipe = "grep " + in_shell("^" + kind + (end == ' ' ? "[[:blank:]]" : std::string(1, end)));
+        edits.empty() ? offer_text(pipe, rows) : offer(edits, pipe, rows);
+    }
+    /// Offers the rows that begin with the same word as one, if no others are as wide.
+    void offer_kind_of_row(const Row& row) {
+        const auto is_of_kind = [&row](const Row& each) { return each.fields[0] == row.fields[0]; };
+        const auto is_as_wide = [&row](const Row& each) {
+            return each.has_numbers && each.fields.size() == row.fields.size();
+        };
+        if (std::ranges::count(kinds_of_rows(), row.fields[0]) > 0 && !is_of_kind(rows_[at_]) &&
+            std::ranges::count_if(rows_, is_as_wide) > 1 &&
+            std::ranges::all_of(rows_, [&](const Row& each) { return !is_as_wide(each) || is_of_kind(each); })) {
+            offer_kind(std::string(row.fields[0]), {});
+        }
     }
     /// Offers the rows of a kind whose names a row of another one ends with, as FMT of ArduPilot's logs.
     void offer_named_kinds() {
-        for (const std::string& kind : spec_ ? kinds_of_rows() : std::vector<std::string>()) {
+        const auto kinds = spec_ ? kinds_of_rows() : std::vector<std::string>();
+        for (const Row& row : rows_) {
+            const auto names = row.has_numbers || kinds.empty() ? std::vector<std::string>() : row.names();
+            const auto kind = std::ranges::find_first_of(kinds, names);
+            if (kind == kinds.end() || names[0] == *kind) {
+                continue;
+            }
             const auto first = std::ranges::find_if(
-                rows_, [&kind](const Row& row) { return row.has_numbers && row.fields[0] == kind; });
-            const std::size_t count = first->fields.size() - 1;
-            for (const Row& row : rows_) {
-                const auto names = row.names();
-                const bool is_of_kind = names.size() > count && names[0] != kind && std::ranges::count(names, kind) > 0;
-                const auto last = is_of_kind ? names.end() - static_cast<std::ptrdiff_t>(count) : names.end();
-                const auto sets = sets_of_row(parts_of(input_.numbers), {last, names.end()}, "").rows;
-                if (sets.size() == 1) {
-                    const auto columns = mapped(sets[0], [](std::size_t place) { return place + 2; });
-                    offer({setting("--columns", joined(columns))}, "grep " + in_shell("^" + kind), rows_of_kind(kind));
-                }
+                rows_, [&kind](const Row& each) { return each.has_numbers && each.fields[0] == *kind; });
+            const std::size_t count = std::min(first->fields.size() - 1, names.size());
+            const auto last = names.end() - static_cast<std::ptrdiff_t>(count);
+            const auto sets = sets_of_row(parts_of(input_.numbers), {last, names.end()}, "").rows;
+            if (sets.size() == 1 && count + 1 == first->fields.size()) {
+                const auto columns = mapped(sets[0], [](std::size_t place) { return place + 2; });
+                offer_kind(*kind, {setting("--columns", joined(columns))});
             }
         }
     }
@@ -353,7 +389,10 @@ private:
     void offer_named_lines() {
         if (spec_ && spec_->size() == count_ && command_->line->find("--columns") != nullptr) {
             const std::size_t before = mends_.size();
-            for (const auto& each : named_lines(mapped(rows_, [](const Row& row) { return row.line.text; }), *spec_)) {
+            const auto lines = mapped(rows_, [](const Row& row) { return row.line.text; });
+            const bool is_cut = text_.size() + 1024 > most_first_bytes;
+            const bool is_unix = text_.find('\r') == std::string_view::npos;
+            for (const auto& each : named_lines(is_unix ? lines : std::vector<std::string_view>(), *spec_, is_cut)) {
                 offer({setting("--columns", each.columns)}, each.command, each.text, each.others);
             }
             join_groups(before);
@@ -381,6 +420,7 @@ private:
     }
 
     static constexpr std::size_t most_kinds = 4;
+    static constexpr std::size_t most_known_kinds = 32;
 
     const RowsCommand* command_;
     bool is_guess_; ///< the SPEC is one
@@ -392,6 +432,8 @@ private:
     std::vector<Row> rows_;
     std::vector<std::vector<Mend>> mends_{};
 };
+
+constexpr std::size_t most_header_bytes = 4096;
 
 /// The columns of a SPEC; none if the text is no SPEC.
 std::vector<std::string> names_of_spec(const std::string& text) {
@@ -496,8 +538,10 @@ std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::
         return {};
     }
     KnownNames found{columns_of_project(*spec, row->fields.size()).positions};
-    if (const auto of_file = header_among(rows_of(text, command.options.input), *spec);
-        found.places.empty() && of_file && of_file->names.size() == row->fields.size()) {
+    const auto first = rows_of(text.substr(0, text.find('\n', most_header_bytes)), command.options.input);
+    const auto end = std::ranges::find_if(first, &Row::has_numbers);
+    if (const auto of_file = header_among({first.begin(), end}, *spec);
+        found.places.empty() && row == rows.begin() && of_file && of_file->names.size() == row->fields.size()) {
         found = of_file->known; // two files of one kind, of which one has names
     }
     return found.places.empty() ? std::vector<std::vector<Mend>>()

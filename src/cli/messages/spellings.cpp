@@ -186,6 +186,9 @@ Words meant_specs(const std::string& text, const SpecError& error) {
     if (error.what == What::no_sequence || wrong == others.end()) {
         return error.what == What::no_sequence ? Words{"rpy", "euler:ZYX"} : Words();
     }
+    if (text == fmt::format("euler:{}", error.text) && is_spec(fmt::format("rpy:{}", error.text))) { // euler:deg
+        return {fmt::format("rpy:{}", error.text), fmt::format("euler:ZYX:{}", error.text)};
+    }
     const bool is_name = wrong == others.begin();
     others.erase(wrong);
     const std::string name(is_name ? "quat" : others[0]);
@@ -201,10 +204,15 @@ Words meant_specs(const std::string& text, const SpecError& error) {
             continue;
         }
         const bool is_modifier = each.starts_with(':') || (!is_name && !is_spec(each) && each != "-");
-        const Words made = each == "-"   ? Words{is_name ? "" : with_rest(name)}
+        const bool has_sequence = is_name && each.starts_with("euler:") && is_spec("euler:" + rest); // eul:ZYX
+        const Words made = has_sequence  ? Words{"euler:" + rest}
+                           : each == "-" ? Words{is_name ? "" : with_rest(name)}
                            : is_modifier ? with_modifier(with_rest(name), each.substr(each.starts_with(':') ? 1 : 0))
                                          : Words{with_rest(each)};
         specs.insert(specs.end(), made.begin(), made.end());
+    }
+    if (std::ranges::any_of(specs, is_spec)) {
+        std::erase_if(specs, [](const std::string& spec) { return !is_spec(spec); });
     }
     return error.what == What::meaningless_modifier && plain_name(error.text) != "deg" ? Words() : specs;
 }
