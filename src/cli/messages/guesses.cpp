@@ -143,9 +143,10 @@ private:
         }
         const std::size_t first = rows->has_header ? 1 : 0;
         const std::string header =
-            rows->has_header ? fmt::format("NR == 1 {{print \"t{}\" $0; next}} ", rows->mark) : "";
-        Mend made = reading(mend, fmt::format("awk '{}{{printf \"%.9f{}%s\\n\", (NR-{}) * {}, $0}}' <", header,
-                                              rows->mark, first + 1, argument_));
+            rows->has_header ? fmt::format(R"(NR == 1 {{print "t{}" $0; next}} )", rows->mark) : "";
+        const std::string program =
+            fmt::format(R"({}{{printf "%.9f{}%s\n", (NR-{}) * {}, $0}})", header, rows->mark, first + 1, argument_);
+        Mend made = reading(mend, fmt::format("awk '{}' <", program));
         made.text = filtered_lines(*bytes, [&](std::size_t index, const std::string& line) {
             return index < first
                        ? "t" + rows->mark + line

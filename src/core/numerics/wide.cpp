@@ -66,8 +66,8 @@ bool operator<(Bound a, Bound b) noexcept {
 Exponent length(const Int& m) noexcept {
     const auto& digits = m.backend();
     const mp::limb_type first = digits.limbs()[digits.size() - 1];
-    return static_cast<Exponent>((digits.size() - 1) * digits.limb_bits +
-                                 static_cast<std::size_t>(std::bit_width(first)));
+    const Exponent others = static_cast<Exponent>(digits.size() - 1) * std::numeric_limits<mp::limb_type>::digits;
+    return others + static_cast<Exponent>(std::bit_width(first));
 }
 Int one_at(Exponent bit) noexcept { return Int(1) << static_cast<unsigned long>(bit); }
 
