@@ -219,23 +219,14 @@ std::pair<std::string, std::string_view> name_and_unit(const std::string& text) 
         return {lower(stream::trimmed(text.substr(0, bracket))),
                 unit_of(std::string_view(text).substr(bracket + 1, text.size() - bracket - 2))};
     }
-    std::size_t end = text.size(); // of the name: the first _ behind which there is a unit and nothing else
-    std::string_view unit;
-    std::string_view unit_of_tail;
-    bool is_new = true; // the tail has bytes that unit_of_tail has not seen
-    for (std::size_t at = text.size(), count = 0; at-- > 1 && count <= longest_unit;) {
-        if (is_in_unit(text[at])) {
-            ++count;
-            is_new = true;
-        } else if (text[at] == '_') {
-            unit_of_tail = std::exchange(is_new, false) ? unit_of(std::string_view(text).substr(at)) : unit_of_tail;
-            if (!unit_of_tail.empty()) {
-                end = at;
-                unit = unit_of_tail;
-            }
+    constexpr std::size_t longest_tail = 2 * longest_unit; // with its _
+    for (std::size_t at = text.find('_', std::max(text.size(), longest_tail + 1) - longest_tail);
+         at != std::string::npos; at = text.find('_', at + 1)) { // the first behind which there is a unit, and no more
+        if (const auto unit = unit_of(std::string_view(text).substr(at)); !unit.empty()) {
+            return {lower(text.substr(0, at)), unit};
         }
     }
-    return {lower(text.substr(0, end)), unit};
+    return {lower(text), {}};
 }
 
 bool is_unit(std::string_view text) {

@@ -15,7 +15,8 @@
 namespace rotconv::cli {
 namespace {
 
-constexpr std::string_view numbers_filter = "sed -E 's/(^|[^0-9.])[A-Za-z_][A-Za-z_0-9]*/ /g; s/[^-+0-9.eE]/ /g; s/[-+]( |$)/ /g'";
+constexpr std::string_view numbers_filter =
+    "sed -E 's/(^|[^0-9.])[A-Za-z_][A-Za-z_0-9]*/ /g; s/[^-+0-9.eE]/ /g; s/[-+]( |$)/ /g'";
 constexpr std::string_view all_digits = "0123456789";
 
 bool is_digit(char c) { return all_digits.find(c) != std::string_view::npos; }

@@ -92,7 +92,7 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"kindscolumn", "", "a run a kind, such as rotconv sample -t SPEC --kind lock"},
     {"dtype f32 float32 float single double", "", "binary rows are doubles, f64; those of floats: NumPy's astype('<f8')"},
     // verbs
-    {"inverse invert conjugate", ":passive | -f quat -t quat:passive | -f quat:xyzw -t quat:xyzw:passive", ":passive on one side inverts", true},
+    {"inverse invert conjugate", "-t FROM:passive | :passive | -f quat -t quat:passive | -f quat:xyzw -t quat:xyzw:passive", ":passive on one side inverts", true},
     {"mul multiply mult product concat concatenate combine chain", "compose", "", true},
     {"relative as", "compose :passive --by FROM -t FROM", "REFERENCE comes first: rotconv compose -f SPEC:passive --by SPEC -t SPEC REFERENCE FILE", true},
     {"diff difference delta subtract sub angle anglebetween distance geodesic", "compare", "compare gives angles; for the attitudes between them: rotconv compose -f SPEC:passive --by SPEC -t SPEC REFERENCE FILE", true},
