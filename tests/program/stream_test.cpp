@@ -138,7 +138,7 @@ TEST_CASE("memory does not grow with the stream of a command that remembers rows
         const char* last;                     ///< the beginning of the last line
     };
     for (const Case& c :
-         {Case{"survey -f quat", [](int) { return repeated("1 0 0 0\n0.8 0 0 0.6\n", 8000); }, 1, "mrp"},
+         {Case{"survey -f quat", [](int) { return repeated("1 0 0 0\n0.8 0 0 0.6\n", 8000); }, 4, "mrp"},
           Case{"identify -t dcm", [&](int) { return repeated(matrix, 3000); }, 13, "-f rpy:deg --columns 1-3"},
           Case{"propagate -t quat --interpolation linear", times(" 0 0 1e-3\n"), 1, "59999 "},
           Case{"propagate -t quat --interpolation cubic", times(" 0 0 1e-3\n"), 1, "59999 "}}) {
