@@ -38,24 +38,23 @@ std::string help(const CommandEntry& entry, const OptionSet& options, const Opti
 
 /// The mend by which VALUEs stand in each row of the FILE: one attitude for many vectors, or one vector.
 std::vector<Mend> with_values_in_rows(const CommandOptions& operands) {
-    const bool is_rotate = operands.begin > 0 && operands.words[operands.begin - 1] == "rotate";
-    const auto parsed = parse_spec(is_rotate ? operands.find("--from")->text() : "");
+    const auto parsed = parse_spec(operands.command_name() == "rotate" ? operands.find("--from")->text() : "");
     const auto* const spec = std::get_if<Spec>(&parsed);
     std::string text = joined(operands.values, " ");
     std::ranges::replace(text, ',', ' ');
     const auto numbers = words_in(text);
     const auto bytes = operands.files.size() == 1 ? first_bytes(operands.files[0]) : std::nullopt;
     const auto rows = bytes ? simple_rows(*bytes) : std::nullopt;
-    if (spec == nullptr || !rows || operands.value_words.empty() ||
-        !std::ranges::all_of(numbers, [](const std::string& number) { return stream::is_number(number); })) {
+    if (spec == nullptr || !rows || operands.value_words.empty() || !std::ranges::all_of(numbers, stream::is_number)) {
         return {};
     }
     const bool is_attitude = numbers.size() == spec->size();
     const bool are_first = operands.value_words[0].word < operands.file_words[0].word;
-    if (!is_attitude && numbers.size() != 3) {
+    const bool is_vector = numbers.size() == 3;
+    if (!is_attitude && !is_vector) {
         return {};
     }
-    if (is_attitude && numbers.size() == 3 && !are_first) { // it may be either
+    if (is_attitude && is_vector && !are_first) { // it may be either
         return {};
     }
     const auto added = [&](const std::vector<std::string>& words) {

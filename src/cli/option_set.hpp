@@ -100,6 +100,11 @@ struct Operands {
     std::string misuse{};             ///< what is wrong with an option, in words
     std::vector<std::string> words{}; ///< all
     std::size_t begin = 0;            ///< the first word behind the name of the command
+
+    /// Empty for the conversion.
+    [[nodiscard]] std::string_view command_name() const {
+        return begin > 0 ? std::string_view(words[begin - 1]) : std::string_view();
+    }
 };
 
 /// The options of a command, in the order of its help, and what is given beside them.

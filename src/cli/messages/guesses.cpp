@@ -7,7 +7,6 @@
 #include "../../core/projects.hpp"
 #include "../../methods/method.hpp"
 #include "../../stream/bytes/file.hpp"
-#include "../../stream/bytes/io_block.hpp"
 #include "../command.hpp"
 #include "../grammar/value_text.hpp"
 #include "../grammar/values.hpp"
@@ -49,7 +48,7 @@ public:
             return {};
         }
         const std::size_t listed = has("@ARG") ? size_of_list() : 1;
-        const bool is_of_rotate = options_->begin > 0 && options_->words[options_->begin - 1] == "rotate";
+        const bool is_of_rotate = options_->command_name() == "rotate";
         if (is_spec(text) && argument_.find(',') != std::string::npos && !is_value(argument_)) { // --quat a,b,c,d
             return {{{{{at_}, is_joined_ ? std::size_t{1} : 2, {"-f", text, "--columns", argument_}}}}};
         }
@@ -134,7 +133,7 @@ private:
     }
     /// With times before the rows, where they are read.
     [[nodiscard]] std::vector<Mend> with_times(const Mend& mend) const {
-        const std::string command = options_->begin > 0 ? options_->words[options_->begin - 1] : "";
+        const std::string_view command = options_->command_name();
         const auto step = number_beside_file();
         const auto bytes = options_->files.size() == 1 ? first_bytes(options_->files[0]) : std::nullopt;
         const auto rows = bytes ? simple_rows(*bytes) : std::nullopt;
@@ -226,7 +225,7 @@ Usage no_such_option(const OptionSet& options) {
         }
     }
     const std::string told = meaning_of_word(name);
-    const std::string command = options.begin > 0 ? options.words[options.begin - 1] : "the conversion";
+    const std::string_view command = options.begin > 0 ? options.command_name() : "the conversion";
     const std::string said =
         others.empty() ? fmt::format("{} is not a known option", quoted(name))
                        : fmt::format("{} has no {}: it is an option of {}", command, shown(name), joined(others, ", "));
@@ -290,13 +289,16 @@ std::vector<Mend> with_numbers_for_pi(const OptionSet& options) {
         const bool is_argument = std::ranges::any_of(options.all(), [at](const Option* option) {
             return option->given() && option->takes_argument() && option->place.word == at;
         });
+        if (is_argument) {
+            continue;
+        }
         std::string made;
-        for (std::size_t i = is_argument ? word.size() : 0; i < word.size();) {
+        for (std::size_t i = 0; i < word.size();) {
             const std::size_t end = std::min(word.find_first_of(" ,;[](){}:=", i), word.size());
             made += end > i ? without_pi(word.substr(i, end - i)) : word.substr(i, 1);
             i = std::max(end, i + 1);
         }
-        if (!is_argument && made != word) {
+        if (made != word) {
             mend.edits.push_back({{at}, 1, {made}});
         }
     }
@@ -309,9 +311,8 @@ std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at) {
     if (std::string made = word; word.find('\\') != std::string::npos) { // of DICOM
         std::ranges::replace(made, '\\', ' ');
         const auto numbers = words_in(made);
-        const bool are_numbers =
-            std::ranges::all_of(numbers, [](const std::string& each) { return stream::is_number(each); });
-        return are_numbers ? std::vector<Mend>{{{{{at}, 1, {made}}}}} : std::vector<Mend>();
+        return std::ranges::all_of(numbers, stream::is_number) ? std::vector<Mend>{{{{{at}, 1, {made}}}}}
+                                                               : std::vector<Mend>();
     }
     const Option* const from = options.find("--from");
     const Option* const to = options.find("--to");

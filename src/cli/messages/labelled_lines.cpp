@@ -216,11 +216,13 @@ std::string rows_of_names(std::span<const NamedText> lines, const std::vector<st
 
 std::vector<LabelledLines> named_lines(const std::vector<std::string_view>& lines, const Spec& spec, bool is_cut) {
     constexpr std::size_t most_sets = 2;
+    constexpr std::size_t most_known = 16; // each looks at all lines
     const std::size_t size = spec.size();
     const auto texts = mapped(lines, [](std::string_view line) { return NamedText(line); });
     std::vector<LabelledLines> sets;
     std::vector<std::vector<std::string>> known_sets;
-    for (std::size_t at = 0; at + size <= texts.size() && sets.size() < most_sets; ++at) {
+    for (std::size_t at = 0; at + size <= texts.size() && sets.size() < most_sets && known_sets.size() < most_known;
+         ++at) {
         const auto block = std::span(texts).subspan(at, size);
         const auto names = mapped(block, [](const NamedText& each) { return each.name; });
         const bool is_new =

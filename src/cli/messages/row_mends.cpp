@@ -330,7 +330,7 @@ private:
     }
     /// Offers rows that begin with the name of their kind, for each of several kinds.
     void offer_kinds() {
-        auto kinds = kinds_of_rows();
+        auto kinds = kinds_;
         std::erase_if(kinds, [this](const std::string& kind) { // of a single row
             return std::ranges::count_if(rows_, [&kind](const Row& row) { return row.line.text.starts_with(kind); }) <
                    2;
@@ -359,7 +359,7 @@ private:
         const auto is_as_wide = [&row](const Row& each) {
             return each.has_numbers && each.fields.size() == row.fields.size();
         };
-        if (std::ranges::count(kinds_of_rows(), row.fields[0]) > 0 && !is_of_kind(rows_[at_]) &&
+        if (std::ranges::count(kinds_, row.fields[0]) > 0 && !is_of_kind(rows_[at_]) &&
             std::ranges::count_if(rows_, is_as_wide) > 1 &&
             std::ranges::all_of(rows_, [&](const Row& each) { return !is_as_wide(each) || is_of_kind(each); })) {
             offer_kind(std::string(row.fields[0]), {});
@@ -367,7 +367,7 @@ private:
     }
     /// Offers the rows of a kind whose names a row of another one ends with, as FMT of ArduPilot's logs.
     void offer_named_kinds() {
-        const auto kinds = spec_ ? kinds_of_rows() : std::vector<std::string>();
+        const auto kinds = spec_ ? kinds_ : std::vector<std::string>();
         for (const Row& row : rows_) {
             const auto names = row.has_numbers || kinds.empty() ? std::vector<std::string>() : row.names();
             const auto kind = std::ranges::find_first_of(kinds, names);
@@ -430,10 +430,13 @@ private:
     std::size_t at_;    ///< index of the line at which reading stopped
     std::string_view text_;
     std::vector<Row> rows_;
+    std::vector<std::string> kinds_ = kinds_of_rows();
     std::vector<std::vector<Mend>> mends_{};
 };
 
-constexpr std::size_t most_header_bytes = 4096;
+/// The SPECs of rows whose width is that of no representation.
+// NOLINTNEXTLINE(cert-err58-cpp): without memory nothing works
+const std::vector<std::string> any_quaternion{"quat", "quat:xyzw"};
 
 /// The columns of a SPEC; none if the text is no SPEC.
 std::vector<std::string> names_of_spec(const std::string& text) {
@@ -513,7 +516,7 @@ std::vector<std::string> specs_of_file(const std::string& name, const std::strin
         specs = size == 3                               ? std::vector<std::string>{"dcm", "rpy", "rotvec"}
                 : size == 4                             ? std::vector<std::string>{"quat", "quat:xyzw", "dcm"}
                 : size == 9 || size == 12 || size == 16 ? std::vector<std::string>{"dcm"}
-                                                        : std::vector<std::string>{"quat", "quat:xyzw"};
+                                                        : any_quaternion;
     }
     return specs;
 }
@@ -538,6 +541,7 @@ std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::
         return {};
     }
     KnownNames found{columns_of_project(*spec, row->fields.size()).positions};
+    constexpr std::size_t most_header_bytes = 4096;
     const auto first = rows_of(text.substr(0, text.find('\n', most_header_bytes)), command.options.input);
     const auto end = std::ranges::find_if(first, &Row::has_numbers);
     if (const auto of_file = header_among({first.begin(), end}, *spec);
@@ -552,7 +556,7 @@ Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
     const Option* const from = options.find("--from");
     const std::string given = options.files.empty() ? options.input.text() : options.files[0];
     const std::string path = given.empty() && options.values.empty() ? stream::File::name_of_input() : given;
-    const bool is_identify = options.begin > 0 && options.words[options.begin - 1] == "identify" && !from->given();
+    const bool is_identify = options.command_name() == "identify" && !from->given();
     bool lacks_from = is_identify || std::string_view(error.what()).starts_with("--from");
     std::vector<std::string> specs;
     std::string said = error.what();
@@ -568,7 +572,7 @@ Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
     } else if (const auto bytes = path.empty() ? std::optional(stream::File::lines_of_pipe()) : first_bytes(path)) {
         specs = specs_of_file(path.empty() ? "the input" : quoted(path), *bytes, said);
     }
-    const bool has_known = is_identify && specs == std::vector<std::string>{"quat", "quat:xyzw"}; // of such a width
+    const bool has_known = is_identify && specs == any_quaternion; // rows are wide enough for a known attitude
     if (has_known) {
         specs = {"quat"};
         lacks_from = false;
