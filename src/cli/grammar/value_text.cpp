@@ -85,6 +85,9 @@ struct Token {
     std::size_t indent = 0;    ///< of its line
 };
 
+// NOLINTBEGIN(misc-no-recursion): a text in quotes is looked at without them, at most two deep; brackets and labels
+// stand in each other, at most `deepest` of them.
+
 /// Separates a text into tokens.
 class Lexer {
 public:
@@ -188,15 +191,17 @@ private:
 
     /// Adds the word if it is a number, perhaps with its unit.
     bool number(std::string_view word) {
-        for (const std::string_view suffix : {"", "degrees", "degree", "deg", "\u00B0", "radians", "radian", "rad",
-                                              "mm", "cm", "m", "in", "f", "F", "i", "j", "k"}) {
-            const std::string_view text = word.substr(0, word.size() - std::min(suffix.size(), word.size()));
-            if (word.ends_with(suffix) && stream::is_number(text)) {
-                add(TokenKind::number, text, word.size(), suffix);
-                return true;
-            }
+        static constexpr auto suffixes =
+            std::to_array<std::string_view>({"", "degrees", "degree", "deg", "\u00B0", "radians", "radian", "rad", "mm",
+                                             "cm", "m", "in", "f", "F", "i", "j", "k"});
+        const auto text = [word](std::string_view suffix) { return word.substr(0, word.size() - suffix.size()); };
+        const auto* const suffix = std::ranges::find_if(
+            suffixes, [&](std::string_view each) { return word.ends_with(each) && stream::is_number(text(each)); });
+        if (suffix == suffixes.end()) {
+            return false;
         }
-        return false;
+        add(TokenKind::number, text(*suffix), word.size(), *suffix);
+        return true;
     }
 
     std::string_view text_;
@@ -207,8 +212,6 @@ private:
     char open_quote_ = '\0';
     std::vector<Token> tokens_;
 };
-
-// NOLINTBEGIN(misc-no-recursion): brackets and labels stand in each other, at most `deepest` of them.
 
 /// Reads tokens by the grammar.
 class Parser {
@@ -492,6 +495,7 @@ private:
         const auto named = named_representation(last_part(text));
         const bool is_container = named || is(WordKind::container, without_type(last_part(text)));
         const Token& next = peek(remark_size());
+        const bool is_call = next.kind == TokenKind::open && remark_size() == 0 && next.text.size() == 1;
         if (next.kind == TokenKind::open && next.text.size() == 1 && (is_container || is(WordKind::heading, text))) {
             const std::size_t own = named ? new_group(group, last_part(text)) : group; // Quaternion (xyzw) [...]
             if (is(WordKind::container_xyzw, text) || is(WordKind::container_xyzw, last_part(text)) ||
@@ -500,15 +504,13 @@ private:
             }
             take_remark(own);
             bracket(own);
-        } else if (next.kind == TokenKind::open && remark_size() == 0 && next.text.size() == 1) {
-            refuse(token);
-        } else if (is_convention(token)) {
+        } else if (!is_call && is_convention(token)) {
             add_word(last_part(text), group);
         } else if (const TokenKind kind = peek().kind;
-                   !(named && (kind == TokenKind::number || kind == TokenKind::line)) && // R and its rows
-                   !is(WordKind::heading, text) &&
-                   !(kind == TokenKind::word && !is_unit(peek()) &&
-                     (is_container || is(WordKind::declaration, text)))) {
+                   is_call || (!(named && (kind == TokenKind::number || kind == TokenKind::line)) && // R and its rows
+                               !is(WordKind::heading, text) &&
+                               !(kind == TokenKind::word && !is_unit(peek()) &&
+                                 (is_container || is(WordKind::declaration, text))))) {
             refuse(token);
         }
     }
@@ -722,6 +724,7 @@ bool is_operation(std::string_view label) {
 
 ValueText parse_values(std::string_view text) { return Parser(text).read(); }
 
+// NOLINTNEXTLINE(misc-no-recursion): see Lexer
 bool holds_number(std::string_view word) {
     const auto tokens = Lexer(word).tokens();
     return std::ranges::count(tokens, TokenKind::number, &Token::kind) > 0;
