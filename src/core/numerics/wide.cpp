@@ -16,6 +16,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "elementary.hpp"
+#include "power_of_two.hpp"
 
 // NOLINTBEGIN(bugprone-exception-escape,bugprone-unhandled-exception-at-new,cppcoreguidelines-owning-memory): see
 // wide.hpp
@@ -36,10 +37,9 @@ struct Bound {
 
     bool operator==(const Bound&) const = default;
 };
-Bound bound(double v, Exponent x) noexcept {
-    int own = 0;
-    const double f = std::frexp(v, &own);
-    return {f, f == 0.0 ? 0 : x + own};
+Bound bound(double v, Exponent x) noexcept { // v: 0, or of ordinary size
+    const double scale = unit_scale(v);
+    return v == 0.0 ? Bound() : Bound{v * scale, x - exponent_of(scale)};
 }
 Bound bound_of_bit(Exponent x) noexcept { return {0.5, x + 1}; }
 constexpr double upwards = 1.0 + 0x1p-40;
@@ -51,7 +51,7 @@ Bound operator+(Bound a, Bound b) noexcept {
         std::swap(a, b);
     }
     const Exponent distance = std::min<Exponent>(a.x - b.x, 60);
-    return bound((a.v + std::ldexp(b.v, -static_cast<int>(distance))) * upwards, a.x);
+    return bound((a.v + b.v * power_of_two(-static_cast<int>(distance))) * upwards, a.x);
 }
 Bound operator*(Bound a, Bound b) noexcept { return bound(a.v * b.v * upwards, a.x + b.x); }
 Bound operator/(Bound a, Bound b) noexcept { return bound(a.v / b.v * upwards, a.x - b.x); }
@@ -89,6 +89,12 @@ bool shift(Int& m, Exponent by) noexcept {
     m >>= static_cast<unsigned long>(-by);
     negate_if(is_negative, m);
     return is_exact;
+}
+
+/// a b 2^-places within 2, where b is below 2^places: by the digits of b that count.
+Int times(const Int& a, const Int& b, Exponent places) noexcept {
+    const auto unused = static_cast<unsigned long>(std::max<Exponent>(0, places - length(a)));
+    return (a * (b >> unused)) >> (static_cast<unsigned long>(places) - unused);
 }
 
 /// pi 2^bits, less than 2 too small (Machin 1706).
@@ -204,10 +210,10 @@ void Wide::Bits::doubt() noexcept { is_doubted = true; }
 
 Wide::Wide(double value) noexcept : number_(new Number) {
     number_->is_infinite = !std::isfinite(value);
-    int own = 0;
-    const double f = std::frexp(number_->is_infinite ? std::copysign(1.0, value) : value, &own);
-    number_->m = static_cast<std::int64_t>(f * 0x1p53);
-    number_->e = f == 0.0 ? 0 : own - 53;
+    const Binary binary(number_->is_infinite ? std::copysign(1.0, value) : value);
+    number_->m = binary.digits;
+    number_->e = binary.digits == 0 ? 0 : binary.exponent;
+    negate_if(binary.is_negative, number_->m);
 }
 Wide::Wide(double high, double low) noexcept : Wide(low == 0.0 ? Wide(high) : Wide(high) + Wide(low)) {}
 Wide::Wide(const Wide& other) noexcept : number_(new Number(*other.number_)) {}
@@ -351,7 +357,8 @@ Wide Wide::half_turn(bool in_degrees) noexcept {
     return in_degrees ? Wide(180.0) : Wide(Number::of(pi_to(-e), e, bound_of_bit(e + 1)));
 }
 
-/// Taylor's series of an angle up to a quarter turn, of so small a part of it that they are short, and then doubled.
+/// Taylor's series of 1 - cos of an angle up to a quarter turn, of so small a part of it that they are short, and then
+/// doubled.
 void Wide::series_of(const Wide& rest, Wide& sine, Wide& cosine) noexcept {
     const int doublings = work_bits < 512 ? 4 : work_bits / 160;
     work_bits += 2 * doublings + 16;
@@ -359,23 +366,21 @@ void Wide::series_of(const Wide& rest, Wide& sine, Wide& cosine) noexcept {
     const Exponent fine = work_bits + 32;
     Int z = part.number_->m * part.number_->m;
     shift(z, 2 * part.number_->e + fine);
-    const auto series = [&](unsigned first) { // 1 - z/(first (first + 1)) + ...
-        Int sum = one_at(fine);
-        Int term = sum;
-        unsigned k = first;
-        for (; !term.is_zero(); k += 2) {
-            term = ((term * z) >> static_cast<unsigned long>(fine)) / (k * (k + 1));
-            sum += ((k - first) & 2U) == 0 ? Int(-term) : term;
-        }
-        return Wide(Number::of(sum, -fine, bound(2.0 * k, -fine)));
-    };
-    sine = part * series(2);
-    cosine = series(1);
-    for (int k = 0; k < doublings; ++k) {
-        const Wide less = square(sine).shifted(1);
-        sine = (sine * cosine).shifted(1);
-        cosine = Wide(1.0) - less;
+    Int sum = one_at(fine); // 1 - z/(3 4) + ...
+    Int term = sum;
+    unsigned k = 3;
+    for (; !term.is_zero(); k += 2) {
+        term = times(term, z, fine) / (k * (k + 1));
+        sum += (k & 2U) != 0 ? Int(-term) : term;
     }
+    Wide versine = square(part).shifted(-1) * Wide(Number::of(sum, -fine, bound(2.0 * k, -fine)));
+    for (int i = 0; i < doublings; ++i) {
+        versine = versine.shifted(1) * (Wide(2.0) - versine);
+    }
+    const bool is_negative = rest.number_->m.sign() < 0;
+    sine = root(versine * (Wide(2.0) - versine));
+    negate_if(is_negative, sine.number_->m);
+    cosine = Wide(1.0) - versine;
     work_bits -= 2 * doublings + 16;
     for (Wide* const both : {&sine, &cosine}) { // neither changes by more than the angle
         both->number_->r = both->number_->r + rest.number_->r;
@@ -470,7 +475,7 @@ Wide Wide::acute_angle(const Wide& near, const Wide& far) noexcept {
     Int power = sum;
     unsigned k = 1;
     while (!power.is_zero()) {
-        power = (power * z) >> static_cast<unsigned long>(fine);
+        power = times(power, z, fine);
         k += 2;
         sum += (k & 2U) != 0 ? Int(-(power / k)) : Int(power / k);
     }

@@ -32,6 +32,7 @@ template <class T, class Base> T residual(const T& k0, const T& q0, const T& k1,
 
 /// The inverse of a symmetric matrix.
 template <class T> struct Inverse {
+    Inverse() = default;
     ROTCONV_INLINE Inverse(const T& a_xx, const T& a_yy, const T& a_zz, const T& a_xy, const T& a_xz,
                            const T& a_yz) noexcept
         : xx(a_yy * a_zz - a_yz * a_yz), yy(a_xx * a_zz - a_xz * a_xz), zz(a_xx * a_yy - a_xy * a_xy),
@@ -45,28 +46,38 @@ template <class T> struct Inverse {
     T xx, yy, zz, xy, xz, yz;
 };
 
+/// What of a Newton step only has to be near: at `near` for q. An error e of it leaves e^2, as the step itself does.
+template <class Base> struct StepBase {
+    ROTCONV_INLINE StepBase(const Base (&m)[9], const Base (&q)[4]) noexcept : near{q[0], q[1], q[2], q[3]} {
+        Base r[9];
+        scaled_matrix_of(near, r);
+        const Base norm = squared_norm(near);
+        const auto entry = [&](int i, int j) {
+            return (r[i] * m[j] + r[3 + i] * m[3 + j]) + r[6 + i] * m[6 + j]; // of |q|^2 S
+        };
+        const Base s_xx = entry(0, 0);
+        const Base s_yy = entry(1, 1);
+        const Base s_zz = entry(2, 2);
+        inverse = Inverse<Base>(s_yy + s_zz, s_xx + s_zz, s_xx + s_yy, scaled(entry(0, 1) + entry(1, 0), -0.5),
+                                scaled(entry(0, 2) + entry(2, 0), -0.5), scaled(entry(1, 2) + entry(2, 1), -0.5));
+        mu = Base(1.0) + (s_xx + s_yy + s_zz) / norm;
+    }
+
+    Base near[4];
+    Inverse<Base> inverse;
+    Base mu;
+};
+
 /// One Newton step towards the unit quaternion that maximises trace(R(q)' M), where q is near it: the correction, in
 /// parts that are small as q's own components are, so that small angles keep their relative accuracy. T is the
-/// scalar of K, Small that of q, which is not normalised, and of what is small, Base that of M and of what only has to
-/// be near. With `near` for q the point at which the steps end is off by what that is off, squared.
+/// scalar of K, Small that of q, which is not normalised, and of what is small, Base that of M and of the step's base.
 ///
 /// With S = R(q)' M the remaining small rotation d satisfies (tr(S) I - S) d = (S32 - S23, S13 - S31, S21 - S12), and
 /// the right side is the vector part of q* (K - mu) q/|q|^2 for any mu. Near q's own eigenvalue nothing large is left.
 template <class T, class Small, class Base> ROTCONV_INLINE void
-newton_step(const Base (&m)[9], const Small (&q)[4], const Base (&near)[4], Small (&correction)[4]) noexcept {
+newton_step(const Base (&m)[9], const Small (&q)[4], const StepBase<Base>& base, Small (&correction)[4]) noexcept {
     const Davenport<T> k(m);
-    Base r[9];
-    scaled_matrix_of(near, r);
-    const Base norm = squared_norm(near);
-    const auto entry = [&](int i, int j) {
-        return (r[i] * m[j] + r[3 + i] * m[3 + j]) + r[6 + i] * m[6 + j]; // of |q|^2 S
-    };
-    const Base s_xx = entry(0, 0);
-    const Base s_yy = entry(1, 1);
-    const Base s_zz = entry(2, 2);
-    const Inverse<Base> inverse(s_yy + s_zz, s_xx + s_zz, s_xx + s_yy, scaled(entry(0, 1) + entry(1, 0), -0.5),
-                                scaled(entry(0, 2) + entry(2, 0), -0.5), scaled(entry(1, 2) + entry(2, 1), -0.5));
-    const Base mu = Base(1.0) + (s_xx + s_yy + s_zz) / norm;
+    const auto& [near, inverse, mu] = base;
     const Small rest_w = residual(k.ww, q[0], k.wx, q[1], k.wy, q[2], k.wz, q[3], mu, q[0]);
     const Small rest_x = residual(k.wx, q[0], k.xx, q[1], k.xy, q[2], k.xz, q[3], mu, q[1]);
     const Small rest_y = residual(k.wy, q[0], k.yy, q[2], k.xy, q[1], k.yz, q[3], mu, q[2]);
@@ -106,7 +117,7 @@ void refine(const double* numbers, const double (&start)[4], DoubleDouble (&q)[4
     for (int step = 0; step < 100; ++step) {
         const double near[4] = {q[0].hi, q[1].hi, q[2].hi, q[3].hi};
         DoubleDouble correction[4];
-        newton_step<DoubleDouble>(m, q, near, correction);
+        newton_step<DoubleDouble>(m, q, StepBase(m, near), correction);
         const double size = largest_magnitude(correction[0].hi, correction[1].hi, correction[2].hi, correction[3].hi);
         if (!(size < 0.5 * last)) {
             return; // at the end of what can be told
@@ -118,9 +129,9 @@ void refine(const double* numbers, const double (&start)[4], DoubleDouble (&q)[4
     }
 }
 
-/// Any proper matrix. Each step squares the error, so that the last one, of which nothing is left beside the bits, is
-/// more than what is left.
-void refine(const double* numbers, const double (&start)[4], Careful (&q)[4]) noexcept {
+/// Any proper matrix. Each step squares the error, so that a correction of half of the bits is the last one, where the
+/// matrix is near a rotation; elsewhere one of which nothing is left beside the bits, which is more than what is left.
+void refine(const double* numbers, const double (&start)[4], bool is_near, Careful (&q)[4]) noexcept {
     load(start, q);
     Careful m[9];
     load(numbers, m);
@@ -132,17 +143,35 @@ void refine(const double* numbers, const double (&start)[4], Careful (&q)[4]) no
         entry = entry.shifted(-exponent);
     }
     const int bits = Wide::Bits::bits();
+    const int last = is_near ? -bits / 2 - 8 : 24 - bits;
     int step_bits = 64;
+    if (is_near) { // the step that gives ordinary rows their 106 bits
+        double own[9];
+        double correction[4];
+        load(numbers, own);
+        newton_step<DoubleDouble>(own, start, StepBase(own, start), correction);
+        for (std::size_t k = 0; k < 4; ++k) {
+            q[k] = q[k] + Careful(correction[k]);
+        }
+        step_bits = 128;
+    }
     bool is_small = false;
     for (int step = 0; step < 100 && !is_small; ++step) {
         step_bits = 2 * step_bits < bits ? 2 * step_bits : bits;
+        const StepBase<Careful> base = [&] {
+            const Wide::Bits half(step_bits / 2 + 32);
+            const auto cut = [](const Careful& number) { return (number + Careful(0.0)).middle(); };
+            StepBase<Careful> found(m, {cut(q[0]), cut(q[1]), cut(q[2]), cut(q[3])});
+            found.mu = found.mu.middle(); // any will do
+            return found;
+        }();
         const Wide::Bits some(step_bits + 32);
         Careful correction[4];
-        newton_step<Careful>(m, q, q, correction);
+        newton_step<Careful>(m, q, base, correction);
         is_small = step_bits == bits;
         for (std::size_t k = 0; k < 4; ++k) {
             q[k] = (q[k] + correction[k]).middle();
-            is_small = is_small && correction[k].is_below(24 - bits);
+            is_small = is_small && correction[k].is_below(last);
         }
     }
     const Davenport<Careful> k(m);
@@ -214,7 +243,7 @@ struct Matrix : WrittenByFormula<Matrix, 9> {
         double defect = 0.0;
         double square = 0.0;
         read_in_double(numbers, near, defect, square);
-        refine(numbers, near, q);
+        refine(numbers, near, !is_far(square), q);
     }
 
     template <class T> static void read(const Spec& /*spec*/, const double* numbers, std::size_t rows,
@@ -252,7 +281,7 @@ struct Matrix : WrittenByFormula<Matrix, 9> {
                 double m[9];
                 double correction[4];
                 columns.get(i, m);
-                newton_step<DoubleDouble>(m, q, q, correction);
+                newton_step<DoubleDouble>(m, q, StepBase(m, q), correction);
                 attitudes.set(i, {two_sum(q[0], correction[0]), two_sum(q[1], correction[1]),
                                   two_sum(q[2], correction[2]), two_sum(q[3], correction[3])});
             }
