@@ -78,7 +78,8 @@ char* copy_others(char* to, const Layout& layout, std::string_view numbers) {
     const char* const end = at + numbers.size();
     auto replaced = layout.replaced.begin();
     for (std::size_t field = *replaced;; ++field) {
-        const char* const stop = std::find(at, end, delimiter);
+        const std::string_view rest(at, end); // whose find() is quicker than std::find
+        const char* const stop = at + std::min(rest.find(delimiter), rest.size());
         if (field == *replaced) {
             ++replaced;
         } else {
