@@ -11,7 +11,7 @@ namespace rotconv {
 /// An axis n of any length but 0 and the angle about it. Eigen's type, which is in radians and has an axis of length 1,
 /// converts to this one and back.
 struct AxisAngle {
-    // NOLINTBEGIN(*-by-value, google-explicit-constructor): so that Eigen's type goes in and out
+    // NOLINTBEGIN(*-by-value, google-explicit-constructor, *-member-init): so that Eigen's type goes in and out
     AxisAngle(const Eigen::Vector3d& direction, double size, AngleUnit angle_unit = AngleUnit::radians) noexcept
         : axis(direction), angle(size), unit(angle_unit) {}
     AxisAngle(const DynamicMatrix auto& direction, double size, AngleUnit angle_unit = AngleUnit::radians)
@@ -20,7 +20,7 @@ struct AxisAngle {
     operator Eigen::AngleAxisd() const {
         return {unit == AngleUnit::degrees ? angle * radians_per_degree : angle, axis};
     }
-    // NOLINTEND(*-by-value, google-explicit-constructor)
+    // NOLINTEND(*-by-value, google-explicit-constructor, *-member-init)
 
     Eigen::Vector3d axis;
     double angle;

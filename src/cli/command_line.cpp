@@ -114,10 +114,10 @@ void check(const CommandOptions& operands, std::size_t most_files) {
     }
     if (!operands.values.empty() && (has_input || !file.empty())) {
         throw Usage("VALUEs cannot be combined with {}", file.empty() ? "--input" : file)
-            .with(with_values_in_rows(operands));
+            .with(has_input ? messages::with_specs_of_others(operands) : with_values_in_rows(operands));
     }
     if (has_input && !file.empty()) {
-        throw Usage(file + " cannot be combined with --input");
+        throw Usage(file + " cannot be combined with --input").with(messages::with_specs_of_others(operands));
     }
 }
 

@@ -94,7 +94,7 @@ public:
         using What = stream::StreamError::What;
         const std::string message = messages::explain(error, subject_of(error.place));
         const stream::Place place{error.what == What::read ? 0 : error.place.line, error.place.side};
-        if (error.what == What::json || error.what == What::columns) {
+        if (error.what == What::json || error.what == What::columns || error.what == What::count) {
             tell_with_answers(place, message);
         } else {
             tell(place, message);

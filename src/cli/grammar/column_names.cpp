@@ -157,32 +157,31 @@ bool has_word(std::string_view name, std::string_view beginnings, std::string_vi
 }
 
 /// Calls what to do with the place of the first word in its name, and with the places of all, for each set of names
-/// that are the words between one prefix and one suffix. A name that stands twice, or that is as long as a text, is in
-/// none.
+/// that are the words between one prefix and one suffix. Names that stand several times, all of them as often, are as
+/// many sets, one after the other; a name that is as long as a text is in none.
 template <class Take>
 void for_each_set(const std::vector<std::string>& words, const std::vector<std::string>& names, const Take& take) {
     constexpr std::size_t longest = 200;
-    constexpr auto twice = std::string::npos;
-    std::unordered_map<std::string, std::size_t> place_of;
+    std::unordered_map<std::string, std::vector<std::size_t>> places_of;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (names[i].size() > longest) {
-            continue;
-        }
-        if (const auto [at, is_new] = place_of.emplace(names[i], i); !is_new) {
-            at->second = twice;
+        if (names[i].size() <= longest) {
+            places_of[names[i]].push_back(i);
         }
     }
     std::vector<std::size_t> places;
-    for (const std::string& name : names) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string& name = names[i];
         const auto first = name.size() > longest ? std::string::npos : name.find(words.front());
         for (auto at = first; at != std::string::npos; at = name.find(words.front(), at + 1)) {
+            const auto& same = places_of[name];
+            const auto which = std::ranges::find(same, i) - same.begin();
             places.clear();
             for (const std::string& word : words) {
-                const auto found = place_of.find(std::string(name).replace(at, words.front().size(), word));
-                if (found == place_of.end() || found->second == twice) {
+                const auto found = places_of.find(std::string(name).replace(at, words.front().size(), word));
+                if (found == places_of.end() || found->second.size() != same.size()) {
                     break;
                 }
-                places.push_back(found->second);
+                places.push_back(found->second[static_cast<std::size_t>(which)]);
             }
             if (places.size() == words.size()) {
                 take(at, places);
@@ -415,6 +414,29 @@ RowNames names_of_row(const std::vector<Part>& parts, std::vector<std::string> n
         row.places.insert(row.places.end(), places.begin(), places.end());
     }
     return row;
+}
+
+std::string list_of_columns(std::span<const std::size_t> places, const std::vector<std::string>& names) {
+    const auto words = mapped(names, [](const std::string& name) { return name.substr(0, name.find(' ')); });
+    const bool by_name = !names.empty() && std::ranges::all_of(places, [&words](std::size_t place) {
+        const std::string& word = words[place];
+        return std::ranges::count(words, word) == 1 && word.find_first_not_of("0123456789-") != std::string::npos &&
+               std::ranges::all_of(word, [](char c) {
+                   return is_alphanumeric(c) || std::string_view("_.[]-/").find(c) != std::string_view::npos;
+               });
+    });
+    std::vector<std::string> items;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        std::size_t last = i; // of a range
+        while (!by_name && last + 1 < places.size() && places[last + 1] == places[last] + 1) {
+            ++last;
+        }
+        items.push_back(by_name    ? words[places[i]]
+                        : last > i ? fmt::format("{}-{}", places[i] + 1, places[last] + 1)
+                                   : std::to_string(places[i] + 1));
+        i = last;
+    }
+    return joined(items);
 }
 
 stream::ChosenColumns columns_of_project(const Spec& spec, std::size_t fields) {

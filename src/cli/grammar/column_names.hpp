@@ -34,10 +34,6 @@ struct KnownNames {
     [[nodiscard]] std::vector<std::string> of(std::span<const std::string> names) const {
         return mapped(places, [names](std::size_t place) { return names[place]; });
     }
-    /// Their columns, from 1, with commas.
-    [[nodiscard]] std::string columns() const {
-        return joined(mapped(places, [](std::size_t place) { return place + 1; }));
-    }
 };
 
 /// Numbers of a row that belong together: a time or key, an attitude, a vector, or velocities.
@@ -75,6 +71,10 @@ struct ColumnSets {
 /// @param key the column of the key, by name or index, if a part is one
 [[nodiscard]] ColumnSets sets_of_row(const std::vector<Part>& parts, const std::vector<std::string>& names,
                                      const std::string& key);
+
+/// A LIST of columns: by name where each name is one word without marks, and of one column; else by index.
+[[nodiscard]] std::string list_of_columns(std::span<const std::size_t> places,
+                                          const std::vector<std::string>& names = {});
 
 /// Where rows of so many fields have the numbers of a SPEC in the files of its project.
 [[nodiscard]] stream::ChosenColumns columns_of_project(const Spec& spec, std::size_t fields);

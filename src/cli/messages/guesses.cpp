@@ -41,7 +41,8 @@ public:
     [[nodiscard]] std::vector<Mend> by(const std::string& text) const {
         const auto has = [&text](std::string_view part) { return text.find(part) != std::string::npos; };
         const Option* const from = options_->find("--from");
-        const bool takes_argument = has("ARG") || text == "tail" || text == "awk" || text == "- -";
+        const bool is_reference = text == "REFERENCE";
+        const bool takes_argument = has("ARG") || is_reference || text == "tail" || text == "awk" || text == "- -";
         const bool lacks_from = has("FROM") && (from == nullptr || !from->given());
         if ((takes_argument && argument_.empty()) || lacks_from ||
             (is_command(text.substr(0, text.find(' '))) && options_->begin > 0)) {
@@ -57,6 +58,10 @@ public:
             return {};
         }
         Mend mend{{{{at_}, takes_argument && listed < 2 && !is_joined_ ? std::size_t{2} : 1}}};
+        if (is_reference) {
+            mend.edits.push_back({{Edit::at_end}, 0, {argument_}});
+            return {mend};
+        }
         if (text == "tail" || text == "awk") {
             return text == "tail" ? skipping(mend) : with_times(mend);
         }
@@ -301,6 +306,28 @@ std::vector<Mend> with_numbers_for_pi(const OptionSet& options) {
         if (made != word) {
             mend.edits.push_back({{at}, 1, {made}});
         }
+    }
+    return mend.edits.empty() ? std::vector<Mend>() : std::vector<Mend>{mend};
+}
+
+std::vector<Mend> with_specs_of_others(const OptionSet& options) {
+    std::vector<const Option*> missing;
+    for (const char* name : {"--from", "--to"}) {
+        if (const Option* const option = options.find(name); option != nullptr && !option->given()) {
+            missing.push_back(option);
+        }
+    }
+    Mend mend;
+    for (const char* name : {"--output", "--input", "--format"}) {
+        const Option* const other = options.find(name);
+        if (other == nullptr || !other->given() || missing.empty() || stream::File::is_regular(other->text().c_str()) ||
+            !(is_spec(other->text()) || find_project(other->text()) != nullptr)) {
+            continue;
+        }
+        const auto right = mend.edits.empty() && other->name() == "--output" ? missing.end() - 1 : missing.begin();
+        mend.edits.push_back(OptionSet::changing(*other, ""));
+        mend.edits.back().by = {std::string((*right)->names.substr(0, 2)), other->text()};
+        missing.erase(right);
     }
     return mend.edits.empty() ? std::vector<Mend>() : std::vector<Mend>{mend};
 }

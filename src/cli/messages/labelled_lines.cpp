@@ -105,10 +105,33 @@ private:
     static constexpr std::size_t most_tried = 20;
     static constexpr std::size_t longest = 1000;
 
+    /// The numbers of a line whose labels are names as those of a header, as a LIST; empty if none are, or several
+    /// sets.
+    [[nodiscard]] std::string columns_by_labels(const std::string& line) const {
+        const std::string alone = numbers_alone(line);
+        std::vector<std::string> labels;
+        for (auto at = alone.find_first_not_of(' '); at < alone.size(); at = alone.find_first_not_of(' ', at)) {
+            std::size_t end = line.find_last_not_of(" :=", at - 1) + 1; // of the label; 0 if there is none
+            std::size_t begin = at > 0 ? end : 0;
+            while (begin > 0 && (is_letter(line[begin - 1]) || is_digit(line[begin - 1]))) {
+                --begin;
+            }
+            end = begin < end && is_letter(line[begin]) && at > 0 ? end : begin;
+            labels.push_back(line.substr(begin, end - begin));
+            at = std::min(alone.find(' ', at), alone.size());
+        }
+        const auto sets = sets_of_row(parts_of(*numbers_), labels, "").rows;
+        return sets.size() == 1 ? list_of_columns(sets[0]) : "";
+    }
+
     /// Which of the numbers of a line are those of an attitude that it holds, as a LIST.
     [[nodiscard]] std::optional<std::string> columns_in(std::string_view text) const {
         const std::string line(text.substr(0, longest));
         const bool is_ascii = std::ranges::all_of(line, [](char c) { return static_cast<unsigned char>(c) < 128; });
+        if (const std::string named = is_ascii && line.size() < longest ? columns_by_labels(line) : "";
+            !named.empty()) {
+            return named;
+        }
         for (const LinePart& part : is_ascii&& line.size() < longest ? parts_of_line(line) : std::vector<LinePart>()) {
             const std::size_t before = words_in(numbers_alone(line.substr(0, part.begin))).size();
             const std::string alone = numbers_alone(part.text);
@@ -237,7 +260,7 @@ std::vector<LabelledLines> named_lines(const std::vector<std::string_view>& line
             paste += " -";
         }
         const std::string sed = fmt::format("sed -n -E 's/^[- ]*({}) *[:=] *//p'", joined(names, "|"));
-        LabelledLines made{sed, paste, rows_of_names(texts, names, is_cut), {}, false, known->columns()};
+        LabelledLines made{sed, paste, rows_of_names(texts, names, is_cut), {}, false, list_of_columns(known->places)};
         const std::string above = at > 0 && texts[at - 1].text.empty() ? texts[at - 1].name : "";
         const bool is_aside = lower(above) == "header" || lower(above) == "stamp" || is(WordKind::aside, above);
         if (made.text.empty() && !above.empty()) { // others have these names too

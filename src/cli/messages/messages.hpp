@@ -86,6 +86,9 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 /// The command line with numbers for its multiples of pi; nothing if it has none.
 [[nodiscard]] std::vector<Mend> with_numbers_for_pi(const OptionSet& options);
 
+/// The command line with --from and --to for other options whose arguments are SPECs; nothing if there are none.
+[[nodiscard]] std::vector<Mend> with_specs_of_others(const OptionSet& options);
+
 /// What the word means in other programs, with "; " in front; empty for others.
 [[nodiscard]] std::string meaning_of_word(std::string_view word);
 /// Whether people write it in the place of a command.

@@ -18,29 +18,6 @@ using Kind = stream::Note::Kind;
 
 bool is_angle(std::string_view unit) { return unit == "rad" || unit == "deg"; }
 
-/// The option that selects columns: by name where each name is one word without marks, and of one column.
-std::string columns_option(std::span<const std::size_t> columns, const std::vector<std::string>& names) {
-    const auto words = mapped(names, [](const std::string& name) { return name.substr(0, name.find(' ')); });
-    const bool by_name = std::ranges::all_of(columns, [&words](std::size_t column) {
-        const std::string& word = words[column];
-        return std::ranges::count(words, word) == 1 && word.find_first_not_of("0123456789-") != std::string::npos &&
-               std::ranges::all_of(word,
-                                   [](char c) { return is_alphanumeric(c) || std::string_view("_.[]-/").find(c) < 6; });
-    });
-    std::vector<std::string> items;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        std::size_t last = i; // of a range
-        while (!by_name && last + 1 < columns.size() && columns[last + 1] == columns[last] + 1) {
-            ++last;
-        }
-        items.push_back(by_name    ? words[columns[i]]
-                        : last > i ? fmt::format("{}-{}", columns[i] + 1, columns[last] + 1)
-                                   : std::to_string(columns[i] + 1));
-        i = last;
-    }
-    return "--columns " + in_shell(joined(items));
-}
-
 /// The notes on one stream.
 class Notes {
 public:
@@ -68,8 +45,9 @@ public:
         const ColumnSets sets = sets_of_row(parts_, names, key_);
         stream::ChosenColumns chosen{.are_known = sets.are_known};
         const std::size_t first = key_.empty() ? 0 : 1; // without the key, which has an option of its own
-        const auto options =
-            mapped(sets.rows, [&](const auto& row) { return columns_option(std::span(row).subspan(first), names); });
+        const auto options = mapped(sets.rows, [&](const auto& row) {
+            return "--columns " + in_shell(list_of_columns(std::span(row).subspan(first), names));
+        });
         if (options.size() == 1) {
             chosen.positions = sets.rows[0];
             chosen.text = fmt::format("the columns are taken by their names: {}", options[0]);
@@ -157,10 +135,8 @@ private:
         if (!others || !others->decides) {
             return "";
         }
-        const auto& at = others->places;
-        const bool is_range = at.back() - at.front() + 1 == at.size() && std::ranges::is_sorted(at);
         return fmt::format(" has {} at {}, but {} are read", joined(others->of(header)),
-                           is_range ? fmt::format("{}-{}", at.front() + 1, at.back() + 1) : others->columns(), own);
+                           list_of_columns(others->places), own);
     }
 
     /// What is to be done about the unit that a header gives to one of the part's numbers, if it is another than that

@@ -17,6 +17,7 @@
 #include "../grammar/column_names.hpp"
 #include "answers.hpp"
 #include "labelled_lines.hpp"
+#include "messages.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -55,13 +56,6 @@ bool is_zero(std::string_view field) {
     return stream::read_number(field, number) == stream::NumberError::none && number == 0.0;
 }
 
-/// Whether it may stand in a LIST as it is.
-bool is_plain(const std::string& name) {
-    return std::ranges::all_of(name, [](char c) {
-        return is_alphanumeric(c) || std::string_view("_.[]-/").find(c) != std::string_view::npos;
-    });
-}
-
 /// A header, and where in it the names of a SPEC are.
 struct Header {
     std::vector<std::string> names;
@@ -96,6 +90,9 @@ public:
     [[nodiscard]] std::vector<std::vector<Mend>> mends(bool has_answers) {
         if (at_ >= rows_.size()) {
             return {};
+        }
+        if (offer_sets()) {
+            return std::move(mends_);
         }
         const auto first = std::ranges::find_if(rows_, &Row::has_numbers);
         offer_named_kinds();
@@ -163,6 +160,17 @@ private:
         }
     }
 
+    /// Offers the two sets of columns that a header names, if it is the line at which reading stopped.
+    bool offer_sets() {
+        const std::size_t before = mends_.size();
+        const auto names = rows_[at_].has_numbers ? std::vector<std::string>() : rows_[at_].names();
+        const auto sets = sets_of_row(parts_of(input_.numbers), names, "").rows;
+        for (const auto& set : sets.size() == 2 ? sets : std::vector<std::vector<std::size_t>>()) {
+            offer({setting("--columns", list_of_columns(set, names))});
+        }
+        join_groups(before);
+        return mends_.size() > before;
+    }
     /// Offers columns: by the names above the row; the only numbers among its fields; a matrix of 3x4 or 4x4; or those
     /// that are a unit quaternion, whose order is not known. False if the names are those of other columns than the
     /// row has.
@@ -170,9 +178,7 @@ private:
         const auto& fields = rows_[row].fields;
         const bool is_alone = spec_ && spec_->size() == count_;
         if (const auto above = is_alone ? header_among(std::span(rows_).first(row), *spec_) : std::nullopt) {
-            const auto found = above->known.of(above->names);
-            offer(
-                {setting("--columns", std::ranges::all_of(found, is_plain) ? joined(found) : above->known.columns())});
+            offer({setting("--columns", list_of_columns(above->known.places, above->names))});
             return above->names.size() == fields.size();
         }
         if (const std::string numbers = numbers_among(fields); !numbers.empty()) {
@@ -197,7 +203,7 @@ private:
             const std::string pipe = fmt::format("sed -n '{},${{p;n;}}'", first + 1);
             const auto above = spec_ ? header_among(std::span(rows_).first(first), *spec_) : std::nullopt;
             if (above && above->names.size() == rows_[first].fields.size()) {
-                offer({setting("--columns", above->known.columns())}, pipe, made);
+                offer({setting("--columns", list_of_columns(above->known.places))}, pipe, made);
             }
             offer_text(pipe, made);
         }
@@ -548,8 +554,9 @@ std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::
         found.places.empty() && row == rows.begin() && of_file && of_file->names.size() == row->fields.size()) {
         found = of_file->known; // two files of one kind, of which one has names
     }
-    return found.places.empty() ? std::vector<std::vector<Mend>>()
-                                : std::vector<std::vector<Mend>>{{{{OptionSet::setting(*option, found.columns())}}}};
+    return found.places.empty()
+               ? std::vector<std::vector<Mend>>()
+               : std::vector<std::vector<Mend>>{{{{OptionSet::setting(*option, list_of_columns(found.places))}}}};
 }
 
 Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
@@ -577,8 +584,8 @@ Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
         specs = {"quat"};
         lacks_from = false;
     }
-    std::vector<Mend> mends;
-    for (const std::string& spec : specs) {
+    auto mends = messages::with_specs_of_others(options);
+    for (const std::string& spec : mends.empty() ? specs : std::vector<std::string>()) {
         const std::size_t place = lacks_from || from == nullptr ? options.begin : from->place.word + 1;
         mends.push_back({{{{place}, 0, {lacks_from ? "-f" : "-t", spec}}}});
         if (is_identify && !has_known) { // how the numbers are read is what is asked
