@@ -19,7 +19,7 @@ bool is_time(std::string_view name) {
     for (const bool may_be_unit : {true, false}) {
         name = name.substr(
             0, static_cast<std::size_t>(std::find_if(name.rbegin(), name.rend(), is_letter).base() - name.begin()));
-        const auto begin = std::find_if_not(name.rbegin(), name.rend(), is_letter).base();
+        const auto* const begin = std::find_if_not(name.rbegin(), name.rend(), is_letter).base();
         const std::string word = lower({begin, name.end()});
         if (!may_be_unit || std::ranges::count(units, word) == 0) {
             return word == "t" || word.ends_with("time") || word.ends_with("stamp");
