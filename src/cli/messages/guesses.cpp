@@ -53,6 +53,9 @@ public:
         if (is_spec(text) && argument_.find(',') != std::string::npos && !is_value(argument_)) { // --quat a,b,c,d
             return {{{{{at_}, is_joined_ ? std::size_t{1} : 2, {"-f", text, "--columns", argument_}}}}};
         }
+        if (is_spec(text) && word_.starts_with('-') && from != nullptr && !is_joined_) {
+            return {{{{{at_}, 1, {from->given() ? "-t" : "-f", text}}}}};
+        }
         if (listed == 0 || (text == "- -" && argument_.size() != 1) || (text == "-o ARG" && is_spec(argument_)) ||
             (text == "@ARG" && !is_of_rotate)) {
             return {};

@@ -453,7 +453,7 @@ std::vector<std::string> names_of_spec(const std::string& text) {
 
 std::vector<double> numbers_in(std::string text) {
     std::ranges::replace_if(
-        text, [](char c) { return std::string_view(",;[](){}\t\n").find(c) != std::string_view::npos; }, ' ');
+        text, [](char c) { return std::string_view(",;:=[](){}\t\n").find(c) != std::string_view::npos; }, ' ');
     std::vector<double> numbers;
     for (const std::string& word : words_in(text)) {
         double number = 0.0;

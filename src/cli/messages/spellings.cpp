@@ -137,6 +137,7 @@ Words choose_nearest(std::string_view text, const Legal& legal) {
     return best;
 }
 
+// NOLINTNEXTLINE(misc-no-recursion): once for each side
 Words meant(std::string_view word, const Legal& legal) {
     Words texts;
     const Meaning* const meaning = find_meaning(word);
@@ -149,6 +150,12 @@ Words meant(std::string_view word, const Legal& legal) {
         return texts;
     }
     texts = is_spec(bare) ? Words{bare} : sequences_in(bare);
+    for (const std::string side : {"to", "from"}) { // --to-euler
+        const bool has_side = bare.starts_with(side + "-") || bare.starts_with(side + "_");
+        for (const std::string& spec : has_side ? meant(bare.substr(side.size() + 1), {}) : Words()) {
+            texts.push_back(fmt::format("-{} {}", side[0], spec));
+        }
+    }
     if (!texts.empty()) {
         return texts;
     }
