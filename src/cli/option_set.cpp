@@ -155,6 +155,7 @@ std::size_t OptionSet::read(const std::vector<std::string>& all_words, std::size
     };
 
     std::vector<std::string> operands; // FILEs and VALUEs in their order
+    std::vector<WordEnd> operand_words;
     bool only_operands = false;
     for (; at < words.size(); ++at) {
         const std::string& word = words[at];
@@ -168,6 +169,7 @@ std::size_t OptionSet::read(const std::vector<std::string>& all_words, std::size
             (takes_value ? values : files).push_back(word);
             (takes_value ? value_words : file_words).push_back({at, 0});
             operands.push_back(word);
+            operand_words.push_back({at, 0});
         } else if (word == "--") {
             only_operands = true;
         } else if (word.starts_with("--")) {
@@ -191,7 +193,9 @@ std::size_t OptionSet::read(const std::vector<std::string>& all_words, std::size
     if (!takes_names() && !only_operands && !files.empty() &&
         (!values.empty() || std::ranges::any_of(files, holds_number)) && std::ranges::all_of(files, is_word)) {
         values = std::move(operands);
+        value_words = std::move(operand_words);
         files.clear();
+        file_words.clear();
     }
     return at;
 }

@@ -93,7 +93,7 @@ struct Operands {
     std::vector<std::string> values{};
     std::vector<std::string> files{};
     std::vector<WordEnd> file_words{};  ///< of FILEs
-    std::vector<WordEnd> value_words{}; ///< of words that are VALUEs wherever they stand
+    std::vector<WordEnd> value_words{}; ///< of VALUEs
     std::string first_option{};
     std::string unknown{}; ///< the first option that the command does not have
     WordEnd unknown_place{};

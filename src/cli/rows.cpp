@@ -188,7 +188,7 @@ private:
         if (command_->options.on_error == stream::OnError::stop && may_be_advised(error)) {
             last_error_ = error; // told after the run, in which the input may be read at the same time
         } else {
-            tell(error.place, in_words(error) + (command_->has_values ? messages::fix_hint(error) : ""));
+            tell(error.place, in_words(error));
         }
     }
     void add(const stream::Diagnostic& diagnostic) {
@@ -214,8 +214,7 @@ private:
     /// Whether there may be another way to read the row.
     [[nodiscard]] bool may_be_advised(const stream::RowError& error) const noexcept {
         using enum stream::RowError::What;
-        const bool is_text = !command_->has_values && command_->options.input.width == 0;
-        return is_text && !error.place.is_in_reference() && error.cause.line == 0 &&
+        return command_->options.input.width == 0 && !error.place.is_in_reference() && error.cause.line == 0 &&
                (error.what == not_a_number || error.what == wrong_count || error.what == missing_column ||
                 error.what == other_width || error.what == open_quote);
     }
@@ -230,6 +229,11 @@ private:
     /// The message does not wait for more of the input, though the answers do.
     void tell_with_answers(const stream::Place& place, const std::string& message) const {
         std::string text = fmt::format("rotconv: {}", told(place, message));
+        if (command_->has_values) {
+            const std::string commands = answers(command_->line->words);
+            show(text + (commands.empty() && last_error_ ? messages::fix_hint(*last_error_) : "") + "\n" + commands);
+            return;
+        }
         if (input_->may_wait()) {
             show(std::exchange(text, {}));
         }

@@ -16,6 +16,7 @@
 #include "../grammar/column_names.hpp"
 #include "../grammar/value_text.hpp"
 #include "../row_options.hpp"
+#include "messages.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -142,7 +143,10 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
     }
     using What = stream::StreamError::What;
     if (command.has_values || options.input.width > 0) {
-        return {.is_tried = true};
+        const bool is_count = wrong && wrong->what == stream::RowError::What::wrong_count;
+        return {.is_tried = true,
+                .mends = is_count ? messages::meant_by_values(*command.line, options.input.numbers)
+                                  : std::vector<std::vector<Mend>>()};
     }
     if ((ending.error && ending.error->place.is_in_reference()) || (wrong && wrong->place.is_in_reference())) {
         return {.is_tried = true, .mends = reference_mends(command, text, *bytes)};

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -311,6 +312,60 @@ std::vector<Mend> with_numbers_for_pi(const OptionSet& options) {
         }
     }
     return mend.edits.empty() ? std::vector<Mend>() : std::vector<Mend>{mend};
+}
+
+std::vector<std::vector<Mend>> meant_by_values(const OptionSet& options, const stream::RowNumbers& numbers) {
+    const std::size_t expected = numbers.names.size();
+    const auto& values = options.values;
+    const auto with = [&](const std::vector<std::string>& words) {
+        Mend mend{mapped(options.value_words, [](const WordEnd& word) { return Edit{word}; })};
+        mend.edits.push_back({{Edit::at_end}, 0, words});
+        return mend;
+    };
+    const auto words_without = [text = joined(values, " ")](std::string_view separators) {
+        std::string words = text;
+        std::ranges::replace_if(
+            words, [separators](char c) { return separators.find(c) != std::string_view::npos; }, ' ');
+        return words_in(words);
+    };
+    std::vector<std::vector<Mend>> mends;
+    if (values.size() > 1 && values[0].find(',') != std::string::npos) { // a row of several words
+        mends.push_back({with({joined(values, ",")})});
+    }
+    auto points = words_without(";");
+    std::ranges::for_each(points, [](std::string& word) { std::ranges::replace(word, ',', '.'); });
+    if (points.size() == expected && std::ranges::all_of(points, stream::is_number)) { // decimal commas
+        mends.push_back({with(points)});
+    }
+    const auto texts = words_without(",;[](){}p");
+    const bool is_alone = numbers.attitude && numbers.attitude->size() == expected;
+    if (!is_alone || texts.size() < expected + 3 || !std::ranges::all_of(texts, stream::is_number)) {
+        return mends;
+    }
+    if (numbers.attitude->name == RepresentationId::dcm) {
+        mends.push_back({{{{{Edit::at_end}, 0, {"--columns", "1-3,5-7,9-11"}}}}});
+        return mends;
+    }
+    const bool has_points = values[0].find('.') != std::string::npos;
+    std::vector<std::vector<std::string>> found;
+    for (std::size_t i = 0; i + expected <= texts.size(); ++i) {
+        const auto begin = texts.begin() + static_cast<std::ptrdiff_t>(i);
+        std::vector<std::string> part(begin, begin + static_cast<std::ptrdiff_t>(expected));
+        double square = 0.0;
+        for (const std::string& text : part) {
+            double number = 0.0;
+            static_cast<void>(stream::read_number(text, number));
+            square += number * number;
+        }
+        const bool is_quat = numbers.attitude->name == RepresentationId::quat;
+        if (is_quat ? std::abs(square - 1.0) < 2e-3 : i == 3 && i + expected == texts.size() && has_points) {
+            found.push_back(std::move(part)); // the only unit quaternion, or what follows a position
+        }
+    }
+    if (found.size() == 1) {
+        mends.push_back({with(found[0])});
+    }
+    return mends;
 }
 
 std::vector<Mend> with_specs_of_others(const OptionSet& options) {
