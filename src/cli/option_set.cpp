@@ -59,6 +59,11 @@ constexpr auto second_names = std::to_array<SecondName>({{"--deg", "--degrees", 
                                                          {"--quiet", "--diagnostics", "off"},
                                                          {"-q", "--diagnostics", "off"}});
 
+SecondName second_name(std::string_view name) {
+    const auto* const found = std::ranges::find(second_names, name, &SecondName::text);
+    return found == second_names.end() ? SecondName{name, name, ""} : *found;
+}
+
 } // namespace
 
 const std::string& Option::text() const noexcept {
@@ -72,6 +77,8 @@ Option* OptionSet::find(std::string_view name) const {
     });
     return found == options_.end() ? nullptr : *found;
 }
+
+bool OptionSet::knows(std::string_view name) const { return find(second_name(name).option) != nullptr; }
 
 Edit OptionSet::changing(const Option& option, const std::string& argument) {
     const bool is_joined = option.place.begin > 0;
@@ -111,10 +118,6 @@ std::size_t OptionSet::read(const std::vector<std::string>& all_words, std::size
     std::size_t at = first;
     words = all_words;
     begin = first;
-    const auto second_name = [](std::string_view name) {
-        const auto* const found = std::ranges::find(second_names, name, &SecondName::text);
-        return found == second_names.end() ? SecondName{name, name, ""} : *found;
-    };
     /// Takes an option; `begin_of_argument`: where in the same word its argument stands, or npos.
     const auto take = [&](const SecondName& known, const std::string& written, std::size_t begin_of_argument) {
         Option* const option = find(known.option);

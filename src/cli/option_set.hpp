@@ -129,6 +129,8 @@ public:
     [[nodiscard]] const std::vector<Option*>& all() const noexcept { return options_; }
     /// By one of its names, or null.
     [[nodiscard]] Option* find(std::string_view name) const;
+    /// Also by a second name.
+    [[nodiscard]] bool knows(std::string_view name) const;
     /// Has the option, which is given, have that argument; without one it goes.
     [[nodiscard]] static Edit changing(const Option& option, const std::string& argument);
     /// The same for an option that may not be given.

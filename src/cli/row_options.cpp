@@ -13,6 +13,7 @@
 #include "../stream/beginning/delimiter.hpp"
 #include "grammar/column_names.hpp"
 #include "grammar/values.hpp"
+#include "messages/labelled_lines.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -117,6 +118,12 @@ Values values_or_mends(const RowOptions& options, const stream::InputOptions& in
     } catch (Usage& error) {
         error.mends = mapped(error.specs,
                              [&](const std::string& spec) { return Mend{{OptionSet::setting(options.from, spec)}}; });
+        const auto labelled = labelled_numbers(joined(options.values, " "), in.numbers);
+        if (error.mends.empty() && !labelled.empty() && in.columns.empty()) {
+            Mend mend{mapped(options.value_words, [](const WordEnd& word) { return Edit{word}; })};
+            mend.edits.push_back({{Edit::at_end}, 0, labelled});
+            error.mends.push_back(std::move(mend));
+        }
         const bool in_degrees =
             options.degrees.given() || (in.numbers.attitude && in.numbers.attitude->unit == AngleUnit::degrees);
         if (error.mends.empty() && !in_degrees) {

@@ -103,6 +103,7 @@ std::vector<Spelling> spellings_of(const Part& part) {
         add("w x y z");
         add("s x y z");
         add("scalar x y z");
+        add("c 1 2 3"); // QC of CCSDS
         add("0 1 2 3", false);
         add("1 2 3 4", false);
     } else if (spec.name == dcm) {
@@ -229,7 +230,7 @@ std::pair<std::string, std::string_view> name_and_unit(const std::string& text) 
 }
 
 bool is_unit(std::string_view text) {
-    constexpr std::string_view others = " m mm cm m/s m/s^2 m/s2 g 1 ";
+    constexpr std::string_view others = " m mm cm km ft m/s m/s^2 m/s2 g 1 % c hz pa hpa mbar v ut na n/a none ";
     const std::string own = lower(text.substr(std::min(text.find_first_not_of("[("), text.size())));
     return !unit_of(text).empty() || (!own.empty() && others.find(" " + own.substr(0, own.find_last_not_of("])") + 1) +
                                                                   " ") != std::string_view::npos);

@@ -210,6 +210,19 @@ std::vector<std::string> with_input(std::vector<std::string> words) {
     return words;
 }
 
+/// The words with two dashes before options that have one: -from quat -to rpy -deg.
+std::vector<std::string> with_dashes(std::vector<std::string> words) {
+    const auto table = command_table();
+    const auto entry = std::ranges::find(table, words.empty() ? "" : words.front(), &CommandEntry::name);
+    const auto options = (entry == table.end() ? table.front() : *entry).options();
+    for (std::string& word : words) {
+        if (word.size() > 2 && word[0] == '-' && word[1] != '-' && options->knows('-' + word)) {
+            word.insert(0, "-");
+        }
+    }
+    return words;
+}
+
 /// The options that take the axes of the project after --from to those of the one after --to.
 std::vector<std::string> axes_of_projects(const std::vector<std::string>& words) {
     std::array<const Project*, 2> projects{};
@@ -228,7 +241,11 @@ std::vector<std::string> axes_of_projects(const std::vector<std::string>& words)
 /// Follows mends, one after the other.
 class Search {
 public:
-    explicit Search(const Attempt& wrong) : axes_(axes_of_projects(wrong.words)) { follow(wrong, 0); }
+    explicit Search(const Attempt& wrong) : axes_(axes_of_projects(wrong.words)) {
+        Attempt dashed = wrong;
+        dashed.words = with_dashes(wrong.words);
+        follow(dashed, dashed.words == wrong.words ? 0 : 1);
+    }
 
     [[nodiscard]] const std::vector<std::string>& found() const { return found_; } ///< commands
 

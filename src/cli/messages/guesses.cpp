@@ -190,6 +190,26 @@ private:
     bool is_joined_ = false;
 };
 
+/// A word such as rpy2quat.
+std::vector<Mend> converter_meant(const std::string& word, const Replaced& replaced) {
+    const auto two = word.find('2');
+    std::vector<Mend> mends;
+    if (two == std::string::npos || two == 0 || !std::ranges::all_of(word, is_alphanumeric)) {
+        return mends;
+    }
+    const auto names_of_one = [](const std::string& name) {
+        return name == "e" || lower(name) == "angle" || lower(name) == "eul" ? Words{"euler:ZYX"} : meant(name, {});
+    };
+    const auto of_matlab = [](const std::string& spec) { return spec == "dcm" ? "dcm:passive" : spec; };
+    for (const std::string& first : names_of_one(word.substr(0, two))) {
+        for (const std::string& second : names_of_one(word.substr(two + 1))) {
+            add(mends, replaced.by(fmt::format("-f {} -t {}", of_matlab(first), of_matlab(second))));
+            add(mends, replaced.by(fmt::format("-f {} -t {}", first, second))); // the same but for matrices
+        }
+    }
+    return mends;
+}
+
 } // namespace
 
 bool is_spec(std::string_view word) { return std::holds_alternative<Spec>(parse_spec(word)); }
@@ -226,11 +246,23 @@ Usage no_such_option(const OptionSet& options) {
         const Words near = begun.size() == 1  ? Words{std::string(begun[0])}
                            : is_command(bare) ? Words{bare}
                                               : choose_nearest(name, names);
-        const Words first = begun.size() == 1 ? near : meant(others.empty() && bare.size() == 1 ? bare : name, names);
+        const Words told = find_meaning(name) == nullptr ? Words() : meant(name, names);
+        const bool is_told = std::ranges::any_of(told, [&names](const std::string& each) { // --tol is --within
+            return std::ranges::count(names, each.substr(0, each.find(' '))) > 0;
+        });
+        const Words first =
+            begun.size() == 1 && !is_told ? near : meant(others.empty() && bare.size() == 1 ? bare : name, names);
         for (const Words& texts : {first, near}) {
             for (const std::string& each : mends.empty() ? texts : Words()) {
                 add(mends, each == name ? std::vector<Mend>() : replaced.by(each));
             }
+        }
+        if (mends.empty()) {
+            mends = converter_meant(bare, replaced);
+        }
+        if (mends.empty() && find_meaning(name) == nullptr &&
+            stream::File::is_regular(replaced.argument().c_str())) { // a FILE is one without it
+            mends = replaced.by("ARG");
         }
     }
     const std::string told = meaning_of_word(name);
@@ -412,19 +444,8 @@ std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at) {
     if (word.size() == 1 && !is_alphanumeric(word[0]) && at > 0 && options.words[at - 1] == "-d") { // as in cut
         return {{{{{at - 1}, 2, {"--delimiter", word}}}}};
     }
-    const auto two = word.find('2');
-    if (two != std::string::npos && two > 0 && std::ranges::all_of(word, is_alphanumeric)) { // rpy2quat
-        const auto names_of_one = [](const std::string& name) {
-            return name == "e" || lower(name) == "angle" || lower(name) == "eul" ? Words{"euler:ZYX"} : meant(name, {});
-        };
-        const auto of_matlab = [](const std::string& spec) { return spec == "dcm" ? "dcm:passive" : spec; };
-        for (const std::string& first : names_of_one(word.substr(0, two))) {
-            for (const std::string& second : names_of_one(word.substr(two + 1))) {
-                add(mends, replaced.by(fmt::format("-f {} -t {}", of_matlab(first), of_matlab(second))));
-                add(mends, replaced.by(fmt::format("-f {} -t {}", first, second))); // the same but for matrices
-            }
-        }
-        return mends;
+    if (auto converter = converter_meant(word, replaced); !converter.empty()) {
+        return converter;
     }
     const auto table = command_table();
     for (const std::string& each : meant(word, mapped(std::span(table).subspan(1), &CommandEntry::name))) {

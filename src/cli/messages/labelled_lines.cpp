@@ -42,6 +42,33 @@ std::string numbers_alone(std::string_view line) {
     return made;
 }
 
+using Places = std::vector<std::size_t>;
+
+/// The numbers of a line, and the words before them; empty where there is none.
+struct NumbersOfLine {
+    std::vector<std::string> labels{};
+    std::vector<std::string> texts{};
+
+    explicit NumbersOfLine(const std::string& line) {
+        const std::string alone = numbers_alone(line);
+        for (auto at = alone.find_first_not_of(' '); at < alone.size(); at = alone.find_first_not_of(' ', at)) {
+            const std::size_t end = at > 0 ? line.find_last_not_of(" :=", at - 1) + 1 : 0; // of the label
+            std::size_t begin = end;
+            while (begin > 0 && (is_letter(line[begin - 1]) || is_digit(line[begin - 1]))) {
+                --begin;
+            }
+            labels.push_back(begin < end && is_letter(line[begin]) ? line.substr(begin, end - begin) : "");
+            texts.push_back(alone.substr(at, alone.find(' ', at) - at));
+            at = std::min(alone.find(' ', at), alone.size());
+        }
+    }
+    /// Of those whose labels are names, as those of a header are; empty where they are none, or several sets.
+    [[nodiscard]] Places places_of(const stream::RowNumbers& numbers) const {
+        const auto sets = sets_of_row(parts_of(numbers), labels, "").rows;
+        return sets.size() == 1 ? sets[0] : Places();
+    }
+};
+
 /// A part of a line that may be an attitude.
 struct LinePart {
     std::size_t begin;
@@ -105,32 +132,13 @@ private:
     static constexpr std::size_t most_tried = 20;
     static constexpr std::size_t longest = 1000;
 
-    /// The numbers of a line whose labels are names as those of a header, as a LIST; empty if none are, or several
-    /// sets.
-    [[nodiscard]] std::string columns_by_labels(const std::string& line) const {
-        const std::string alone = numbers_alone(line);
-        std::vector<std::string> labels;
-        for (auto at = alone.find_first_not_of(' '); at < alone.size(); at = alone.find_first_not_of(' ', at)) {
-            std::size_t end = line.find_last_not_of(" :=", at - 1) + 1; // of the label; 0 if there is none
-            std::size_t begin = at > 0 ? end : 0;
-            while (begin > 0 && (is_letter(line[begin - 1]) || is_digit(line[begin - 1]))) {
-                --begin;
-            }
-            end = begin < end && is_letter(line[begin]) && at > 0 ? end : begin;
-            labels.push_back(line.substr(begin, end - begin));
-            at = std::min(alone.find(' ', at), alone.size());
-        }
-        const auto sets = sets_of_row(parts_of(*numbers_), labels, "").rows;
-        return sets.size() == 1 ? list_of_columns(sets[0]) : "";
-    }
-
     /// Which of the numbers of a line are those of an attitude that it holds, as a LIST.
     [[nodiscard]] std::optional<std::string> columns_in(std::string_view text) const {
         const std::string line(text.substr(0, longest));
         const bool is_ascii = std::ranges::all_of(line, [](char c) { return static_cast<unsigned char>(c) < 128; });
-        if (const std::string named = is_ascii && line.size() < longest ? columns_by_labels(line) : "";
-            !named.empty()) {
-            return named;
+        const auto named = is_ascii && line.size() < longest ? NumbersOfLine(line).places_of(*numbers_) : Places();
+        if (!named.empty()) {
+            return list_of_columns(named);
         }
         for (const LinePart& part : is_ascii&& line.size() < longest ? parts_of_line(line) : std::vector<LinePart>()) {
             const std::size_t before = words_in(numbers_alone(line.substr(0, part.begin))).size();
@@ -279,6 +287,32 @@ std::vector<LabelledLines> named_lines(const std::vector<std::string_view>& line
         }
     }
     return sets;
+}
+
+std::vector<std::string> labelled_numbers(const std::string& text, const stream::RowNumbers& numbers) {
+    std::string words = text;
+    std::ranges::replace_if(
+        words, [](char c) { return !is_letter(c); }, ' ');
+    const auto may_change_meaning = [](const std::string& word) {
+        return is_operation(word) || !unit_of_word(word).empty();
+    };
+    if (text.find_first_of("*~^!/") != std::string::npos || std::ranges::any_of(words_in(words), may_change_meaning)) {
+        return {};
+    }
+    for (std::size_t i = 1; i < text.size(); ++i) {
+        if (text[i - 1] == '-' && !is_digit(text[i]) && text[i] != '.') {
+            return {};
+        }
+    }
+    const NumbersOfLine line(text);
+    bool has_all = true;
+    for (std::size_t i = 0; i < line.labels.size(); ++i) {
+        has_all = has_all && (!line.labels[i].empty() || !stream::is_number(line.texts[i]));
+    }
+    const auto in_words = [&line](std::size_t place) {
+        return fmt::format("{}={}", line.labels[place], line.texts[place]);
+    };
+    return mapped(has_all ? line.places_of(numbers) : Places(), in_words);
 }
 
 std::optional<LabelledLines> labelled_lines(const std::vector<std::string_view>& lines,

@@ -25,6 +25,10 @@ struct LabelledLines {
 [[nodiscard]] std::optional<LabelledLines> labelled_lines(const std::vector<std::string_view>& lines,
                                                           const stream::RowNumbers& numbers, const std::string& from);
 
+/// The numbers of a text whose labels are the names of all numbers of a row, as words with their labels; none where the
+/// text also has what may change their meaning.
+[[nodiscard]] std::vector<std::string> labelled_numbers(const std::string& text, const stream::RowNumbers& numbers);
+
 /// Of lines such as `x: 0.5` and `Q1 = 0.5`, those with the names of a SPEC below each other, perhaps under a name that
 /// tells them from others, as in a message of ROS: two sets of names at most.
 /// @param is_cut more lines follow, so that the last row may not be whole

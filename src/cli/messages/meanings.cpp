@@ -37,7 +37,7 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"radians radian rad", "-", "radians are what angles are in without :deg or -d"},
     {"lefthanded righthanded handedness lefthand righthand mirror flip", "", "numbers of left-handed axes are read by the same formulas; to right-handed ones, for example: --reference-axes ruf:flu --body-axes ruf:flu"},
     {"nb active rowmajor row numpy", "-", "that is what numbers are without a modifier"},
-    {"shadow", "", "an mrp has norm at most 1; --continuous passes to the shadow where that is nearer"},
+    {"shadow", "-", "an mrp has norm at most 1; --continuous passes to the shadow where that is nearer"},
     {"intrinsic rotating moving", ":upper", "letters in upper case turn about the body's own axes (intrinsic), in lower case about the fixed axes (extrinsic)"},
     {"extrinsic static fixed", ":lower", "letters in upper case turn about the body's own axes (intrinsic), in lower case about the fixed axes (extrinsic)"},
     {"gon grad grads gradian gradians", "", "not here: angles are in radians or, with :deg, in degrees; 1 gon is 0.9 degrees"},

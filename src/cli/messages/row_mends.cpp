@@ -104,7 +104,8 @@ public:
             return std::move(mends_);
         }
         if (first != rows_.end() && !offer_columns(static_cast<std::size_t>(first - rows_.begin()))) {
-            return std::move(mends_); // what is read by index would be against the names
+            offer_wider_rows(static_cast<std::size_t>(first - rows_.begin()));
+            return std::move(mends_);
         }
         if (command_->line->find("--differences") != nullptr) { // of attitudes alone
             mends_.push_back({{{{{Edit::at_end}, 0, {"--differences"}}}}});
@@ -178,13 +179,15 @@ private:
         const auto& fields = rows_[row].fields;
         const bool is_alone = spec_ && spec_->size() == count_;
         if (const auto above = is_alone ? header_among(std::span(rows_).first(row), *spec_) : std::nullopt) {
-            offer({setting("--columns", list_of_columns(above->known.places, above->names))});
+            const bool is_from_one = above->known.of(above->names)[0].find('1') != std::string::npos;
+            offer_in_both_orders(setting("--columns", list_of_columns(above->known.places, above->names)),
+                                 above->known.decides || !is_from_one);
             return above->names.size() == fields.size();
         }
         if (const std::string numbers = numbers_among(fields); !numbers.empty()) {
             offer({setting("--columns", numbers)});
         } else {
-            offer_choices(fields.size());
+            offer_choices(row);
         }
         return true;
     }
@@ -209,8 +212,8 @@ private:
         }
     }
     /// Offers columns, of a quaternion whose order nothing says with either.
-    void offer_in_both_orders(const std::optional<Edit>& columns, bool is_known, const std::string& pipe,
-                              const std::string& text) {
+    void offer_in_both_orders(const std::optional<Edit>& columns, bool is_known, const std::string& pipe = {},
+                              const std::string& text = {}) {
         const std::size_t before = mends_.size();
         offer({columns}, pipe, text);
         const bool is_quat = spec_->name == RepresentationId::quat && !spec_->has_given_order;
@@ -219,17 +222,36 @@ private:
             join_groups(before);
         }
     }
-    /// Offers columns of a row of so many fields that may be an attitude: a matrix of 3x4 or 4x4; or those that are a
-    /// unit quaternion, whose order is not known.
-    void offer_choices(std::size_t fields, const std::string& pipe = {}, const std::string& text = {}) {
+    /// Offers columns of a row that may be an attitude: a matrix of 3x4 or 4x4; or those that are a unit quaternion,
+    /// whose order only a header just above them tells.
+    void offer_choices(std::size_t row, const std::string& pipe = {}, const std::string& text = {}) {
+        const std::size_t fields = rows_[row].fields.size();
         const bool is_alone = spec_ && spec_->size() == count_ && !input_.columns.has_names();
         if (is_alone && spec_->name == RepresentationId::dcm) {
             offer({setting("--columns", "1-3,5-7,9-11")}, pipe, text);
         }
+        const auto names = row > 0 ? rows_[row - 1].names() : std::vector<std::string>();
+        const auto above = is_alone ? header_among(std::span(rows_).first(row), *spec_) : std::nullopt;
         const std::size_t end = std::min<std::size_t>(fields, 20); // of fields that may be one
         for (std::size_t i = 0; is_alone && spec_->name == RepresentationId::quat && i + count_ <= end; ++i) {
-            const auto columns = setting("--columns", fmt::format("{}-{}", i + 1, i + count_));
-            offer_in_both_orders(columns, false, pipe, text);
+            auto named = above                    ? std::optional(above->known)
+                         : names.size() == fields ? find_names(*spec_, std::span(names).subspan(i, count_))
+                                                  : std::nullopt;
+            if (named && named->decides) { // in their order from here on
+                const std::size_t first = above ? std::ranges::min(named->places) : 0;
+                std::ranges::for_each(named->places, [&](std::size_t& place) { place = place - first + i; });
+                offer({setting("--columns", list_of_columns(named->places))}, pipe, text);
+            } else {
+                offer_in_both_orders(setting("--columns", fmt::format("{}-{}", i + 1, i + count_)), false, pipe, text);
+            }
+        }
+    }
+    /// Offers rows that have more fields than their header: dates with blanks.
+    void offer_wider_rows(std::size_t first) {
+        const auto above = header_among(std::span(rows_).first(first), *spec_);
+        if (input_.columns.empty() && above && above->names.size() < rows_[first].fields.size()) {
+            const auto begin = static_cast<std::size_t>(rows_[first].line.text.data() - text_.data());
+            offer_choices(first, fmt::format("tail -n +{}", first + 1), std::string(text_.substr(begin)));
         }
     }
     /// The fields that are numbers, as a LIST, if others are not and they are as many as are wanted; empty if not.
@@ -292,7 +314,7 @@ private:
         const std::string text(text_.substr(place(rows_[begin]), size));
         offer_text(pipe, text);
         if (begin == first) {
-            offer_choices(rows_[first].fields.size(), pipe, text);
+            offer_choices(first, pipe, text);
         }
     }
 
