@@ -30,7 +30,7 @@ struct ComparisonSettings {
 class Comparison {
 public:
     /// @throw std::invalid_argument if a modifier of a spec has no meaning for its representation
-    Comparison(const Spec& from, const Spec& reference, const ComparisonSettings& settings = {});
+    Comparison(const Spec& from, const Spec& reference, ComparisonSettings settings = {});
 
     [[nodiscard]] const Spec& from() const noexcept { return from_; }
     [[nodiscard]] const Spec& reference() const noexcept { return reference_; }

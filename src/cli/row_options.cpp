@@ -144,7 +144,16 @@ void RowOptions::check_attitudes() const {
     }
 }
 
-double RowOptions::most_defect() const { return amount_of(tolerance, ConversionSettings{}.tolerance, true); }
+double RowOptions::most_defect() const {
+    if (tolerance.given() && find("--within") != nullptr && !stream::is_number(tolerance.text())) {
+        Edit edit = changing(tolerance, "");
+        edit.by = {"--within", tolerance.text()};
+        throw Usage("{} {} is a number, how far from a rotation numbers may be; the most angle is --within",
+                    tolerance.name(), quoted(tolerance.text()))
+            .with({{{edit}}});
+    }
+    return amount_of(tolerance, ConversionSettings{}.tolerance, true);
+}
 
 stream::OnError RowOptions::policy() const { return one_of("policy of --on-error", on_error, policies); }
 

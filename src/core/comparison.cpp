@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "conversion/input_batch.hpp"
 #include "conversion/kernels.hpp"
 
 namespace rotconv {
 
-Comparison::Comparison(const Spec& from, const Spec& reference, const ComparisonSettings& settings)
-    : from_(checked(from)), reference_(checked(reference)), settings_(settings) {}
+Comparison::Comparison(const Spec& from, const Spec& reference, ComparisonSettings settings)
+    : from_(checked(from)), reference_(checked(reference)), settings_(std::move(settings)) {}
 
 void Comparison::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const {
     reports.clear();

@@ -63,7 +63,7 @@ std::optional<std::pair<std::string, std::vector<stream::Note>>> row_of_text(std
                                                                              const stream::RowNumbers& numbers,
                                                                              const std::string& from,
                                                                              std::string_view comment) {
-    const bool has_marks = text.find_first_of("[](){}<>:=") != std::string_view::npos;
+    const bool has_marks = text.find_first_of("[](){}<>:=ijk") != std::string_view::npos;
     bool is_matrix = numbers.attitude->name == RepresentationId::dcm; // of three or four lines
     std::string rows;
     std::size_t lines = 0;

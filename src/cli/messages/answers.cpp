@@ -137,8 +137,9 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
     }
     const auto ending = stream::run(source, nullptr, options, take, reference ? &*reference : nullptr);
     if (ending.answered > 0 && (!whole || (!ending.error && !wrong))) {
-        const auto names =
-            command.has_values || is_whole_text ? RowNamesKind::none : names_of_rows(options.input, text);
+        const auto names = command.has_values || is_whole_text || options.input.width > 0
+                               ? RowNamesKind::none
+                               : names_of_rows(options.input, text);
         return {.serves = true, .names = names, .is_tried = names != RowNamesKind::others, .better = better};
     }
     using What = stream::StreamError::What;

@@ -7,8 +7,11 @@
 
 #include "../../core/projects.hpp"
 #include "../../methods/method.hpp"
+#include "../../stream/beginning/header_line.hpp"
 #include "../../stream/bytes/file.hpp"
+#include "../../stream/bytes/io_block.hpp"
 #include "../command.hpp"
+#include "../grammar/column_names.hpp"
 #include "../grammar/value_text.hpp"
 #include "../grammar/values.hpp"
 #include "answers.hpp"
@@ -25,6 +28,14 @@ void add(std::vector<Mend>& mends, const std::vector<Mend>& more) {
 
 bool is_command(std::string_view word) {
     return !word.empty() && std::ranges::count(command_table(), word, &CommandEntry::name) > 0;
+}
+
+bool are_same(std::string_view a, std::string_view b) {
+    const auto first = parse_spec(a);
+    const auto second = parse_spec(b);
+    const auto* const one = std::get_if<Spec>(&first);
+    const auto* const other = std::get_if<Spec>(&second);
+    return one != nullptr && other != nullptr && one->text() == other->text();
 }
 
 /// A word of the command line, an option or an operand, and the edits that put others in its place.
@@ -149,6 +160,14 @@ private:
         if (!step || !rows || (command != "rates" && command != "propagate")) {
             return {};
         }
+        std::string_view rest = *bytes;
+        const stream::HeaderLine names(stream::next_line(rest), stream::Delimiter::character(rows->mark[0]));
+        if (rows->has_header && std::ranges::any_of(names.names(), [](const std::string& name) {
+                const std::string own = name_and_unit(name).first;
+                return own == "t" || own == "time" || own == "timestamp" || own == "stamp";
+            })) {
+            return {mend}; // it has times
+        }
         const std::size_t first = rows->has_header ? 1 : 0;
         const std::string header =
             rows->has_header ? fmt::format(R"(NR == 1 {{print "t{}" $0; next}} )", rows->mark) : "";
@@ -177,6 +196,9 @@ private:
             }
             for (const std::string& spec : filtered(with_modifier(option->text(), modifier), is_spec)) {
                 mends.push_back(mend);
+                if (is_inverse && own != nullptr && are_same(own->text(), spec)) { // the conversion inverts already
+                    continue;
+                }
                 mends.back().edits.push_back(OptionSet::setting(*option, spec));
             }
         }

@@ -116,7 +116,7 @@ std::vector<std::vector<Mend>> json_mends(const RowsCommand& command, std::strin
     const std::string_view text = beginning.substr(std::min(beginning.find_first_of("{["), beginning.size()));
     const JsonRows rows = rows_in_json(text, wanted, by_name ? std::nullopt : input.numbers.attitude);
     const bool is_by_count = rows.filters.size() == 1 && rows.filters[0].find("[.") == std::string::npos;
-    if (rows.filters.size() != 1 || (is_guess && is_by_count)) {
+    if (rows.filters.size() != 1 || (is_guess && is_by_count && !rows.is_pose)) {
         return {};
     }
     Mend mend;

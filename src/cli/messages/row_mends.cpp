@@ -9,12 +9,14 @@
 
 #include <rotconv/spec.hpp>
 
+#include "../../core/projects.hpp"
 #include "../../operations/operations.hpp"
 #include "../../stream/beginning/header_line.hpp"
 #include "../../stream/beginning/preamble.hpp"
 #include "../../stream/bytes/file.hpp"
 #include "../../stream/numbers/number_text.hpp"
 #include "../grammar/column_names.hpp"
+#include "../grammar/values.hpp"
 #include "answers.hpp"
 #include "labelled_lines.hpp"
 #include "messages.hpp"
@@ -137,6 +139,7 @@ public:
                 break;
             }
         }
+        offer_one_attitude();
         return std::move(mends_);
     }
 
@@ -447,6 +450,49 @@ private:
         }
     }
 
+    /// Offers the lines that alone are an attitude, as VALUEs are, if they stand at one place.
+    void offer_one_attitude() {
+        constexpr std::size_t most_lines = 200;
+        const Option* const from = command_->line->find("--from");
+        if (!spec_ || spec_->size() != count_ || from == nullptr || is_guess_ || rows_.size() > most_lines) {
+            return;
+        }
+        const std::initializer_list<std::size_t> heights = {5, 4, 3, 1}; // of a matrix and its name, or of any attitude
+        const bool is_matrix = spec_->name == RepresentationId::dcm;
+        std::size_t first = rows_.size();
+        std::size_t size = 0;
+        std::string text;
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            const auto holds = [&](std::size_t height) {
+                if ((height > 1 && !is_matrix) || i + height > rows_.size()) {
+                    return false;
+                }
+                const std::string_view last = rows_[i + height - 1].line.text;
+                const char* const begin = rows_[i].line.text.data();
+                const std::string lines(begin, last.data() + last.size());
+                bool means_other = false;
+                const auto values = attitude_in(lines, input_.numbers, from->text(), means_other);
+                const bool is_one = values && (is_matrix || !values->has_other_label); // a matrix proves itself
+                text = is_one ? lines + "\n" : text;
+                return is_one;
+            };
+            if (const auto* const height = std::ranges::find_if(heights, holds); height != heights.end()) {
+                if (size > 0) {
+                    return;
+                }
+                first = i;
+                size = *height;
+                i += size - 1;
+            }
+        }
+        if (size > 0) {
+            offer({},
+                  size == 1 ? fmt::format("sed -n {}p", first + 1)
+                            : fmt::format("sed -n {},{}p", first + 1, first + size),
+                  text);
+        }
+    }
+
     static constexpr std::size_t most_kinds = 4;
     static constexpr std::size_t most_known_kinds = 32;
 
@@ -527,7 +573,8 @@ std::vector<std::string> specs_of_file(const std::string& name, const std::strin
     preamble.read(block, true, nowhere);
     const Row row(preamble.has_row() ? stream::next_line(block.text) : stream::Line(), input);
     if (!row.has_numbers) {
-        said += fmt::format("; {} does not begin with a row of numbers", name);
+        const bool is_json = bytes.find_first_of("{[") == bytes.find_first_not_of(" \t\r\n");
+        said += fmt::format("; {} {}", name, is_json ? "looks like JSON" : "does not begin with a row of numbers");
         return {possible_specs.begin(), possible_specs.end()}; // the whole may be one attitude
     }
     const std::vector<std::string>& header = preamble.layout().names;
@@ -549,13 +596,46 @@ std::vector<std::string> specs_of_file(const std::string& name, const std::strin
     return specs;
 }
 
+/// Of a file of NumPy's save() with rows of doubles (numpy.lib.format, version 1), what is behind its header.
+std::vector<std::vector<Mend>> doubles_of_numpy(const RowsCommand& command, std::string_view bytes) {
+    constexpr std::size_t prefix = 10; // \x93NUMPY, the version, and the size of the header
+    const Option* const format = command.line->find("--input-format");
+    if (!bytes.starts_with("\x93NUMPY\x01") || bytes.size() < prefix || format == nullptr || format->given()) {
+        return {};
+    }
+    const auto byte = [bytes](std::size_t at) { return std::size_t{static_cast<unsigned char>(bytes[at])}; };
+    const std::size_t begin = prefix + byte(8) + 256 * byte(9);
+    const std::string_view header = bytes.substr(0, begin);
+    const std::string shape = fmt::format(", {})", command.options.input.numbers.names.size());
+    const bool has_rows = header.find("'<f8'") != std::string_view::npos &&
+                          header.find("'fortran_order': False") != std::string_view::npos &&
+                          header.find(shape) != std::string_view::npos;
+    if (!has_rows || bytes.size() <= begin) {
+        return {};
+    }
+    const std::string_view rows = bytes.substr(begin);
+    const std::size_t whole = rows.size() - rows.size() % (8 * command.options.input.numbers.names.size());
+    const auto reading = [&](const std::vector<Edit>& more) {
+        Mend mend{{command.line->setting(*format, "f64")}};
+        mend.edits.insert(mend.edits.end(), more.begin(), more.end());
+        return command.line->piped(std::move(mend), fmt::format("tail -c +{}", begin + 1),
+                                   std::string(rows.substr(0, whole)));
+    };
+    const auto& spec = command.options.input.numbers.attitude;
+    std::vector<Mend> mends{reading({})};
+    if (spec && spec->name == RepresentationId::quat && !spec->has_given_order && spec->project == nullptr) {
+        mends.push_back(reading({command.line->setting(*command.line->find("--from"), "quat:xyzw")})); // SciPy's
+    }
+    return {mends};
+}
+
 } // namespace
 
 std::vector<std::vector<Mend>> row_mends(const RowsCommand& command, std::string_view beginning, std::size_t line,
                                          bool is_guess, bool has_answers) {
     const bool is_text = beginning.find('\0') == std::string_view::npos;
     return is_text ? UnreadRows(command, beginning, line, is_guess).mends(has_answers)
-                   : std::vector<std::vector<Mend>>();
+                   : doubles_of_numpy(command, beginning);
 }
 
 std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::string_view text,
@@ -600,6 +680,10 @@ Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
         specs = specs_of_numbers(numbers_in(joined(options.values, " ")), said);
     } else if (const auto bytes = path.empty() ? std::optional(stream::File::lines_of_pipe()) : first_bytes(path)) {
         specs = specs_of_file(path.empty() ? "the input" : quoted(path), *bytes, said);
+        const Project* const project = find_project(path.substr(path.find_last_of('.') + 1)); // scan.ctf
+        if (project != nullptr && project->is_spec() && specs.size() != 1) {
+            specs = {std::string(project->text)};
+        }
     }
     const bool has_known = is_identify && specs == any_quaternion; // rows are wide enough for a known attitude
     if (has_known) {

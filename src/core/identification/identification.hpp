@@ -156,7 +156,7 @@ private:
     /// The candidate held against these rows alone, up to the first at which it is dropped.
     [[nodiscard]] Candidate held(const Candidate& candidate, const Rows& rows) const;
     /// Replaces the nearest candidates, as many as are looked at, by what `hold` makes of them.
-    void hold_nearest(std::vector<Candidate*> candidates, const std::function<void(Candidate&)>& hold) const;
+    void hold_nearest(std::vector<Candidate*> nearest, const std::function<void(Candidate&)>& hold) const;
     /// Those that fit with constant rotations, of which the nearest leaves an angle not below a tenth of another's.
     [[nodiscard]] std::vector<Candidate> rotated() const;
     /// Of candidates that fit some rows those that fit all that are kept, one of each meaning, the nearest first.

@@ -77,7 +77,9 @@ template <class Base> struct StepBase {
 template <class T, class Small, class Base> ROTCONV_INLINE void
 newton_step(const Base (&m)[9], const Small (&q)[4], const StepBase<Base>& base, Small (&correction)[4]) noexcept {
     const Davenport<T> k(m);
-    const auto& [near, inverse, mu] = base;
+    const auto& near = base.near; // clang's lambdas take no structured bindings
+    const auto& inverse = base.inverse;
+    const auto& mu = base.mu;
     const Small rest_w = residual(k.ww, q[0], k.wx, q[1], k.wy, q[2], k.wz, q[3], mu, q[0]);
     const Small rest_x = residual(k.wx, q[0], k.xx, q[1], k.xy, q[2], k.xz, q[3], mu, q[1]);
     const Small rest_y = residual(k.wy, q[0], k.yy, q[2], k.xy, q[1], k.yz, q[3], mu, q[2]);
