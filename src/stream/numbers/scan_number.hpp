@@ -30,7 +30,7 @@ constexpr std::array exact_powers_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6
 /// The same as scan_number(), by fast_float alone.
 [[gnu::cold, gnu::noinline]] const char* scan_any_number(const char* begin, const char* end, double& value) noexcept;
 
-/// Reads a number as most are: a digit first, no more than 19 digits without leading zeros, and two of an exponent.
+/// Reads a number as most are: a digit first, and no more than 19 digits without leading zeros.
 ///
 /// Its digits are an integer below 10^19, which a word of 64 bits holds exactly. So the integer and the exponent of ten
 /// are the number itself, and fast_float's compute_float() either rounds their product correctly or says that it
@@ -38,8 +38,8 @@ constexpr std::array exact_powers_of_ten{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6
 /// spends most of its time on an end that the processor did not predict.
 class NumberScan {
 public:
-    /// Bytes that may be read: a sign, 24 digits, a point, 40 digits, e, a sign, 3 digits.
-    static constexpr std::ptrdiff_t reach = 72;
+    /// Bytes that may be read: a sign, 23 digits, a point, 39 digits, e, a sign, 24 digits.
+    static constexpr std::ptrdiff_t reach = 90;
 
     explicit NumberScan(const char* begin) noexcept : at_(begin) {}
 
@@ -66,13 +66,11 @@ public:
         if (take('e') || take('E')) {
             const bool is_small = take('-');
             static_cast<void>(is_small || take('+'));
-            const auto digit = [this](std::ptrdiff_t i) { return static_cast<unsigned char>(at_[i] - '0'); };
-            if (digit(0) > 9 || digit(1) > 9 || digit(2) <= 9) { // two, as C prints them, but of extreme numbers
+            std::uint64_t power = 0;
+            if (!take_power(power)) {
                 return nullptr;
             }
-            const int power = 10 * digit(0) + digit(1);
-            exponent += is_small ? -power : power;
-            at_ += 2;
+            exponent += is_small ? -static_cast<std::int64_t>(power) : static_cast<std::int64_t>(power);
         }
         if (digits < std::uint64_t{1} << 53U && exponent <= 0 && exponent >= -22) { // both exact: one rounding
             const double magnitude = static_cast<double>(static_cast<std::int64_t>(digits)) /
@@ -129,6 +127,18 @@ private:
             number = number * powers_of_ten[8] + number_of(eight);
         }
         return false;
+    }
+
+    /// The digits of an exponent: two, as C prints it, or else any up to four that count.
+    bool take_power(std::uint64_t& power) noexcept {
+        const auto digit = [this](std::ptrdiff_t i) { return static_cast<unsigned char>(at_[i] - '0'); };
+        if (digit(0) <= 9 && digit(1) <= 9 && digit(2) > 9) {
+            power = 10U * digit(0) + digit(1);
+            at_ += 2;
+            return true;
+        }
+        const char* const first = at_;
+        return take_digits(power) && at_ != first && power <= 9999;
     }
 
     /// Appends sixteen digits, where as many stand here: 5 % of the time of a conversion of text.
