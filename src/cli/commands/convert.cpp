@@ -63,7 +63,10 @@ std::optional<std::pair<std::string, std::vector<stream::Note>>> row_of_text(std
                                                                              const stream::RowNumbers& numbers,
                                                                              const std::string& from,
                                                                              std::string_view comment) {
-    const bool has_marks = text.find_first_of("[](){}<>:=ijk") != std::string_view::npos;
+    bool has_marks = text.find_first_of("[](){}<>:=") != std::string_view::npos;
+    for (std::size_t i = 1; i < text.size() && !has_marks; ++i) { // of a sum: 0.6k
+        has_marks = text[i] >= 'i' && text[i] <= 'k' && text[i - 1] >= '0' && text[i - 1] <= '9';
+    }
     bool is_matrix = numbers.attitude->name == RepresentationId::dcm; // of three or four lines
     std::string rows;
     std::size_t lines = 0;

@@ -163,10 +163,14 @@ bool has_word(std::string_view name, std::string_view beginnings, std::string_vi
 template <class Take>
 void for_each_set(const std::vector<std::string>& words, const std::vector<std::string>& names, const Take& take) {
     constexpr std::size_t longest = 200;
+    constexpr std::size_t most_sets = 16; // that repeat their names
     std::unordered_map<std::string, std::vector<std::size_t>> places_of;
+    std::vector<std::size_t> which(names.size()); // of those with its name each is
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (names[i].size() <= longest) {
-            places_of[names[i]].push_back(i);
+            auto& same = places_of[names[i]];
+            which[i] = same.size();
+            same.push_back(i);
         }
     }
     std::vector<std::size_t> places;
@@ -174,15 +178,14 @@ void for_each_set(const std::vector<std::string>& words, const std::vector<std::
         const std::string& name = names[i];
         const auto first = name.size() > longest ? std::string::npos : name.find(words.front());
         for (auto at = first; at != std::string::npos; at = name.find(words.front(), at + 1)) {
-            const auto& same = places_of[name];
-            const auto which = std::ranges::find(same, i) - same.begin();
+            const std::size_t as_often = places_of[name].size();
             places.clear();
             for (const std::string& word : words) {
                 const auto found = places_of.find(std::string(name).replace(at, words.front().size(), word));
-                if (found == places_of.end() || found->second.size() != same.size()) {
+                if (found == places_of.end() || found->second.size() != as_often || as_often > most_sets) {
                     break;
                 }
-                places.push_back(found->second[static_cast<std::size_t>(which)]);
+                places.push_back(found->second[which[i]]);
             }
             if (places.size() == words.size()) {
                 take(at, places);
@@ -230,8 +233,11 @@ std::pair<std::string, std::string_view> name_and_unit(const std::string& text) 
 }
 
 bool is_unit(std::string_view text) {
-    constexpr std::string_view others = " m mm cm km ft m/s m/s^2 m/s2 g 1 % c hz pa hpa mbar v ut na n/a none ";
+    constexpr std::string_view others = " m mm cm km ft m/s m/s^2 m/s2 g 1 % c hz pa hpa mbar v ut ";
     const std::string own = lower(text.substr(std::min(text.find_first_not_of("[("), text.size())));
+    if (own == "na)" || own == "n/a)" || own == "none)") { // without the bracket it is a number that is missing
+        return true;
+    }
     return !unit_of(text).empty() || (!own.empty() && others.find(" " + own.substr(0, own.find_last_not_of("])") + 1) +
                                                                   " ") != std::string_view::npos);
 }

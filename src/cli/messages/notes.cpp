@@ -45,17 +45,17 @@ public:
         const ColumnSets sets = sets_of_row(parts_, names, key_);
         stream::ChosenColumns chosen{.are_known = sets.are_known};
         const std::size_t first = key_.empty() ? 0 : 1; // without the key, which has an option of its own
-        const auto options = mapped(sets.rows, [&](const auto& row) {
+        constexpr std::size_t most = 4;
+        const std::size_t count = sets.rows.size();
+        const auto options = mapped(std::span(sets.rows).first(std::min(most, count)), [&](const auto& row) {
             return "--columns " + in_shell(list_of_columns(std::span(row).subspan(first), names));
         });
-        if (options.size() == 1) {
+        if (count == 1) {
             chosen.positions = sets.rows[0];
             chosen.text = fmt::format("the columns are taken by their names: {}", options[0]);
-        } else if (options.size() > 1) {
-            constexpr std::size_t most = 4;
-            chosen.text = fmt::format("the header names {} sets of columns: {}{}", options.size(),
-                                      joined(std::span(options).first(std::min(most, options.size())), " or "),
-                                      options.size() > most ? " ..." : "");
+        } else if (count > 1) {
+            chosen.text = fmt::format("the header names {} sets of columns: {}{}", count, joined(options, " or "),
+                                      count > most ? " ..." : "");
         }
         return chosen;
     }
