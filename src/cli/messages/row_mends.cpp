@@ -96,6 +96,10 @@ public:
         if (offer_sets()) {
             return std::move(mends_);
         }
+        const auto above = spec_ ? header_among(std::span(rows_).first(at_), *spec_) : std::nullopt;
+        if (above && above->names.size() == rows_[at_].fields.size() && !rows_[at_].has_numbers && !has_answers) {
+            return {}; // a row of its header whose numbers are missing: what passes over both would lose names
+        }
         const auto first = std::ranges::find_if(rows_, &Row::has_numbers);
         offer_named_kinds();
         if (first != rows_.end()) {
