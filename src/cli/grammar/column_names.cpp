@@ -65,6 +65,7 @@ enum class Shared : std::uint8_t {
     anything,
     nothing,       ///< they stand side by side
     of_velocities, ///< a prefix that says so, or nothing where all other names are times
+    of_quaternion, ///< q, of which there is no fourth number: QC of CCSDS
 };
 
 /// What the names of a part's numbers may be, without what they share, in the order of the part.
@@ -103,7 +104,7 @@ std::vector<Spelling> spellings_of(const Part& part) {
         add("w x y z");
         add("s x y z");
         add("scalar x y z");
-        add("c 1 2 3"); // QC of CCSDS
+        add("c 1 2 3", true, Shared::of_quaternion);
         add("0 1 2 3", false);
         add("1 2 3 4", false);
     } else if (spec.name == dcm) {
@@ -158,34 +159,32 @@ bool has_word(std::string_view name, std::string_view beginnings, std::string_vi
 }
 
 /// Calls what to do with the place of the first word in its name, and with the places of all, for each set of names
-/// that are the words between one prefix and one suffix. Names that stand several times, all of them as often, are as
-/// many sets, one after the other; a name that is as long as a text is in none.
+/// that are the words between one prefix and one suffix. A name that stands twice, or that is as long as a text, is in
+/// none.
 template <class Take>
 void for_each_set(const std::vector<std::string>& words, const std::vector<std::string>& names, const Take& take) {
     constexpr std::size_t longest = 200;
-    constexpr std::size_t most_sets = 16; // that repeat their names
-    std::unordered_map<std::string, std::vector<std::size_t>> places_of;
-    std::vector<std::size_t> which(names.size()); // of those with its name each is
+    constexpr auto twice = std::string::npos;
+    std::unordered_map<std::string, std::size_t> place_of;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (names[i].size() <= longest) {
-            auto& same = places_of[names[i]];
-            which[i] = same.size();
-            same.push_back(i);
+        if (names[i].size() > longest) {
+            continue;
+        }
+        if (const auto [at, is_new] = place_of.emplace(names[i], i); !is_new) {
+            at->second = twice;
         }
     }
     std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string& name = names[i];
+    for (const std::string& name : names) {
         const auto first = name.size() > longest ? std::string::npos : name.find(words.front());
         for (auto at = first; at != std::string::npos; at = name.find(words.front(), at + 1)) {
-            const std::size_t as_often = places_of[name].size();
             places.clear();
             for (const std::string& word : words) {
-                const auto found = places_of.find(std::string(name).replace(at, words.front().size(), word));
-                if (found == places_of.end() || found->second.size() != as_often || as_often > most_sets) {
+                const auto found = place_of.find(std::string(name).replace(at, words.front().size(), word));
+                if (found == place_of.end() || found->second == twice) {
                     break;
                 }
-                places.push_back(found->second[which[i]]);
+                places.push_back(found->second);
             }
             if (places.size() == words.size()) {
                 take(at, places);
@@ -200,6 +199,9 @@ bool is_shared(const Spelling& spelling, std::string_view prefix, const std::vec
     const auto& words = spelling.words;
     if (spelling.shared == Shared::anything) {
         return true;
+    }
+    if (spelling.shared == Shared::of_quaternion) {
+        return lower(prefix) == "q" && std::ranges::count(names, "q0") + std::ranges::count(names, "q4") == 0;
     }
     const bool is_bare = names[places[0]] == words[0];
     if (spelling.shared == Shared::nothing) {
@@ -233,13 +235,19 @@ std::pair<std::string, std::string_view> name_and_unit(const std::string& text) 
 }
 
 bool is_unit(std::string_view text) {
-    constexpr std::string_view others = " m mm cm km ft m/s m/s^2 m/s2 g 1 % c hz pa hpa mbar v ut ";
+    constexpr std::string_view others = " m mm cm m/s m/s^2 m/s2 g 1 ";
+    constexpr std::string_view in_brackets = " na n/a none % v c km ft hz pa hpa mbar ut "; // without, perhaps data
     const std::string own = lower(text.substr(std::min(text.find_first_not_of("[("), text.size())));
-    if (own == "na)" || own == "n/a)" || own == "none)") { // without the bracket it is a number that is missing
-        return true;
-    }
-    return !unit_of(text).empty() || (!own.empty() && others.find(" " + own.substr(0, own.find_last_not_of("])") + 1) +
-                                                                  " ") != std::string_view::npos);
+    const std::string word = " " + own.substr(0, own.find_last_not_of("])") + 1) + " ";
+    const bool is_other = others.find(word) != std::string_view::npos ||
+                          (own.size() < text.size() && in_brackets.find(word) != std::string_view::npos);
+    return !unit_of(text).empty() || (!own.empty() && is_other);
+}
+
+bool is_of_other_quantity(std::string_view name) {
+    return has_word(name,
+                    "speed spd dps acc std sigma cov var err delta reset offset bias rate vel cmd setpoint target",
+                    "dot sp ref des desired gyro");
 }
 
 std::vector<Part> parts_of(const stream::RowNumbers& numbers) {
@@ -427,8 +435,9 @@ std::string list_of_columns(std::span<const std::size_t> places, const std::vect
     const auto words = mapped(names, [](const std::string& name) { return name.substr(0, name.find(' ')); });
     const bool by_name = !names.empty() && std::ranges::all_of(places, [&words](std::size_t place) {
         const std::string& word = words[place];
-        return std::ranges::count(words, word) == 1 && word.find_first_not_of("0123456789-") != std::string::npos &&
-               std::ranges::all_of(word, [](char c) {
+        const bool has_ends = !word.empty() && word[0] != '-' && word.back() != '/';
+        return has_ends && std::ranges::count(words, word) == 1 &&
+               word.find_first_not_of("0123456789-") != std::string::npos && std::ranges::all_of(word, [](char c) {
                    return is_alphanumeric(c) || std::string_view("_.[]-/").find(c) != std::string_view::npos;
                });
     });

@@ -82,6 +82,9 @@ struct ColumnSets {
 /// deg or rad, also of a rate, or a unit of time, as headers write it, in brackets or not; empty for others.
 [[nodiscard]] std::string_view unit_of(std::string_view text);
 
+/// Whether a name says that numbers are rates, errors, commands and the like.
+[[nodiscard]] bool is_of_other_quantity(std::string_view name);
+
 /// Whether a text is a unit and nothing else, in brackets or not.
 [[nodiscard]] bool is_unit(std::string_view text);
 

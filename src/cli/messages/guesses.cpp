@@ -53,7 +53,14 @@ public:
     [[nodiscard]] std::vector<Mend> by(const std::string& text) const {
         const auto has = [&text](std::string_view part) { return text.find(part) != std::string::npos; };
         const Option* const from = options_->find("--from");
+        const Option* const to = options_->find("--to");
+        if (text.starts_with("-t ") && to != nullptr && to->given()) {
+            return {};
+        }
         const bool is_reference = text == "REFERENCE";
+        if ((is_reference || text == "ARG") && !word_.starts_with('-')) { // a word that is no option has no argument
+            return {};
+        }
         const bool takes_argument = has("ARG") || is_reference || text == "tail" || text == "awk" || text == "- -";
         const bool lacks_from = has("FROM") && (from == nullptr || !from->given());
         if ((takes_argument && argument_.empty()) || lacks_from ||
@@ -74,8 +81,11 @@ public:
         }
         Mend mend{{{{at_}, takes_argument && listed < 2 && !is_joined_ ? std::size_t{2} : 1}}};
         if (is_reference) {
-            mend.edits.push_back({{Edit::at_end}, 0, {argument_}});
-            return {mend};
+            const bool is_piped = options_->files.size() == (is_joined_ ? 0 : 1) && options_->values.empty();
+            mend.edits.push_back(
+                {{Edit::at_end}, 0, is_piped ? std::vector<std::string>{"-", argument_} : std::vector{argument_}});
+            const bool has_end = std::ranges::count(options_->words, "--") > 0; // of options
+            return has_end ? std::vector<Mend>() : std::vector{mend};
         }
         if (text == "tail" || text == "awk") {
             return text == "tail" ? skipping(mend) : with_times(mend);
@@ -166,7 +176,7 @@ private:
                 const std::string own = name_and_unit(name).first;
                 return own == "t" || own == "time" || own == "timestamp" || own == "stamp";
             })) {
-            return {mend}; // it has times
+            return {}; // it has times
         }
         const std::size_t first = rows->has_header ? 1 : 0;
         const std::string header =
@@ -195,10 +205,11 @@ private:
                 continue;
             }
             for (const std::string& spec : filtered(with_modifier(option->text(), modifier), is_spec)) {
-                mends.push_back(mend);
-                if (is_inverse && own != nullptr && are_same(own->text(), spec)) { // the conversion inverts already
-                    continue;
+                if (is_inverse && own != nullptr && find_project(own->text()) != nullptr &&
+                    are_same(own->text(), spec)) {
+                    return {}; // the project's numbers are inverses already
                 }
+                mends.push_back(mend);
                 mends.back().edits.push_back(OptionSet::setting(*option, spec));
             }
         }
@@ -281,10 +292,6 @@ Usage no_such_option(const OptionSet& options) {
         }
         if (mends.empty()) {
             mends = converter_meant(bare, replaced);
-        }
-        if (mends.empty() && find_meaning(name) == nullptr &&
-            stream::File::is_regular(replaced.argument().c_str())) { // a FILE is one without it
-            mends = replaced.by("ARG");
         }
     }
     const std::string told = meaning_of_word(name);
@@ -400,8 +407,9 @@ std::vector<std::vector<Mend>> meant_by_values(const OptionSet& options, const s
         mends.push_back({{{{{Edit::at_end}, 0, {"--columns", "1-3,5-7,9-11"}}}}});
         return mends;
     }
-    const bool has_points = values[0].find('.') != std::string::npos;
-    std::vector<std::vector<std::string>> found;
+    const bool is_quat = numbers.attitude->name == RepresentationId::quat;
+    const bool is_pose_of_ur = lower(values[0]).starts_with("p[") && texts.size() == 6;
+    std::vector<std::vector<std::string>> found; // the unit quaternions
     for (std::size_t i = 0; i + expected <= texts.size(); ++i) {
         const auto begin = texts.begin() + static_cast<std::ptrdiff_t>(i);
         std::vector<std::string> part(begin, begin + static_cast<std::ptrdiff_t>(expected));
@@ -411,13 +419,17 @@ std::vector<std::vector<Mend>> meant_by_values(const OptionSet& options, const s
             static_cast<void>(stream::read_number(text, number));
             square += number * number;
         }
-        const bool is_quat = numbers.attitude->name == RepresentationId::quat;
-        if (is_quat ? std::abs(square - 1.0) < 2e-3 : i == 3 && i + expected == texts.size() && has_points) {
-            found.push_back(std::move(part)); // the only unit quaternion, or what follows a position
+        if (is_quat ? std::abs(square - 1.0) < 2e-2 : is_pose_of_ur && i == 3) {
+            found.push_back(std::move(part));
         }
     }
     if (found.size() == 1) {
         mends.push_back({with(found[0])});
+        if (const Option* const from = options.find("--from");
+            is_quat && !numbers.attitude->has_given_order && numbers.attitude->project == nullptr && from != nullptr) {
+            mends.back().push_back(with(found[0]));
+            mends.back().back().edits.push_back(OptionSet::setting(*from, "quat:xyzw")); // no name says which is first
+        }
     }
     return mends;
 }
@@ -430,6 +442,10 @@ std::vector<Mend> with_specs_of_others(const OptionSet& options) {
         }
     }
     Mend mend;
+    const Option* const output = options.find("--output");
+    if (output != nullptr && output->given() && stream::File::is_regular(output->text().c_str())) {
+        return {}; // perhaps it is what was to be read
+    }
     for (const char* name : {"--output", "--input", "--format"}) {
         const Option* const other = options.find(name);
         if (other == nullptr || !other->given() || missing.empty() || stream::File::is_regular(other->text().c_str()) ||

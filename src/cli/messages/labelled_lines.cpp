@@ -11,6 +11,8 @@
 #include "../grammar/value_text.hpp"
 #include "../grammar/values.hpp"
 #include "../grammar/words.hpp"
+#include "meanings.hpp"
+#include "messages.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -44,28 +46,63 @@ std::string numbers_alone(std::string_view line) {
 
 using Places = std::vector<std::size_t>;
 
+/// Whether a word may make another attitude of the numbers beside it.
+bool may_change_meaning(const std::string& word) { return is_operation(word) || !unit_of_word(word).empty(); }
+
+/// The words of a line.
+std::vector<std::string> words_of_line(std::string line) {
+    std::ranges::replace_if(
+        line, [](char c) { return !is_letter(c) && !is_digit(c); }, ' ');
+    return filtered(words_in(line), [](const std::string& word) { return is_letter(word[0]); });
+}
+
 /// The numbers of a line, and the words before them; empty where there is none.
 struct NumbersOfLine {
     std::vector<std::string> labels{};
     std::vector<std::string> texts{};
+    std::vector<std::size_t> groups{}; ///< where the brackets begin in which they stand
 
     explicit NumbersOfLine(const std::string& line) {
         const std::string alone = numbers_alone(line);
+        std::vector<std::size_t> open{std::string::npos};
+        std::size_t seen = 0;
         for (auto at = alone.find_first_not_of(' '); at < alone.size(); at = alone.find_first_not_of(' ', at)) {
-            const std::size_t end = at > 0 ? line.find_last_not_of(" :=", at - 1) + 1 : 0; // of the label
-            std::size_t begin = end;
-            while (begin > 0 && (is_letter(line[begin - 1]) || is_digit(line[begin - 1]))) {
-                --begin;
+            for (; seen < at; ++seen) {
+                if (std::string_view("[({").find(line[seen]) != std::string_view::npos) {
+                    open.push_back(seen);
+                } else if (std::string_view("])}").find(line[seen]) != std::string_view::npos && open.size() > 1) {
+                    open.pop_back();
+                }
             }
-            labels.push_back(begin < end && is_letter(line[begin]) ? line.substr(begin, end - begin) : "");
+            labels.push_back(label_before(line, at));
             texts.push_back(alone.substr(at, alone.find(' ', at) - at));
+            groups.push_back(open.back());
             at = std::min(alone.find(' ', at), alone.size());
         }
     }
     /// Of those whose labels are names, as those of a header are; empty where they are none, or several sets.
     [[nodiscard]] Places places_of(const stream::RowNumbers& numbers) const {
         const auto sets = sets_of_row(parts_of(numbers), labels, "").rows;
-        return sets.size() == 1 ? sets[0] : Places();
+        const auto is_in_group = [&](std::size_t place) { return groups[place] == groups[sets[0][0]]; };
+        return sets.size() == 1 && std::ranges::all_of(sets[0], is_in_group) ? sets[0] : Places();
+    }
+
+private:
+    static std::string label_before(const std::string& line, std::size_t at) {
+        const std::size_t end = at > 0 ? line.find_last_not_of(" :=", at - 1) + 1 : 0;
+        std::size_t begin = end;
+        while (begin > 0 && (is_letter(line[begin - 1]) || is_digit(line[begin - 1]) || line[begin - 1] == '.' ||
+                             line[begin - 1] == '-')) {
+            --begin;
+        }
+        std::size_t word = begin; // before, after a blank: rate roll
+        while (word > 0 && (line[word - 1] == ' ' || is_letter(line[word - 1]))) {
+            --word;
+        }
+        begin = std::min(line.find_first_not_of(".-", begin), end);
+        const bool is_label = begin < end && is_letter(line[begin]) &&
+                              !is_of_other_quantity(std::string_view(line).substr(word, begin - word));
+        return is_label ? line.substr(begin, end - begin) : "";
     }
 };
 
@@ -132,12 +169,17 @@ private:
     static constexpr std::size_t most_tried = 20;
     static constexpr std::size_t longest = 1000;
 
+    /// Of numbers with labels, if no other word says something of them.
+    [[nodiscard]] Places labelled_places(const std::string& line) const {
+        return std::ranges::any_of(words_of_line(line), may_change_meaning) ? Places()
+                                                                            : NumbersOfLine(line).places_of(*numbers_);
+    }
+
     /// Which of the numbers of a line are those of an attitude that it holds, as a LIST.
     [[nodiscard]] std::optional<std::string> columns_in(std::string_view text) const {
         const std::string line(text.substr(0, longest));
         const bool is_ascii = std::ranges::all_of(line, [](char c) { return static_cast<unsigned char>(c) < 128; });
-        const auto named = is_ascii && line.size() < longest ? NumbersOfLine(line).places_of(*numbers_) : Places();
-        if (!named.empty()) {
+        if (const auto named = is_ascii && line.size() < longest ? labelled_places(line) : Places(); !named.empty()) {
             return list_of_columns(named);
         }
         for (const LinePart& part : is_ascii&& line.size() < longest ? parts_of_line(line) : std::vector<LinePart>()) {
@@ -169,10 +211,10 @@ private:
 
     [[nodiscard]] std::optional<LabelledLines> of_words(std::string_view line, const std::string& columns) const {
         constexpr std::size_t most_words = 20;
-        std::string text(line);
-        std::ranges::replace_if(
-            text, [](char c) { return !is_letter(c) && !is_digit(c); }, ' ');
-        auto words = filtered(words_in(text), [](const std::string& word) { return is_letter(word[0]); });
+        const std::string text(line.substr(0, longest));
+        const Places named = labelled_places(text);
+        const std::string label = named.empty() ? "" : NumbersOfLine(text).labels[named[0]]; // in all lines that count
+        auto words = words_of_line(text);
         words.resize(std::min(words.size(), most_words));
         words.emplace_back();
         std::map<std::string_view, std::optional<std::string>> known;
@@ -185,7 +227,10 @@ private:
         std::vector<std::string_view> most;
         for (const std::string& word : words) {
             auto lines = filtered(*lines_, [&word](std::string_view each) { return is_with(each, word); });
-            if (lines.size() > most.size() && std::ranges::all_of(lines, is_alike)) {
+            const bool has_all = label.empty() || std::ranges::none_of(*lines_, [&](std::string_view each) {
+                                     return is_with(each, label) && !is_with(each, word);
+                                 });
+            if (lines.size() > most.size() && has_all && std::ranges::all_of(lines, is_alike)) {
                 most = std::move(lines);
                 best = word;
             }
@@ -290,29 +335,42 @@ std::vector<LabelledLines> named_lines(const std::vector<std::string_view>& line
 }
 
 std::vector<std::string> labelled_numbers(const std::string& text, const stream::RowNumbers& numbers) {
-    std::string words = text;
-    std::ranges::replace_if(
-        words, [](char c) { return !is_letter(c); }, ' ');
-    const auto may_change_meaning = [](const std::string& word) {
-        return is_operation(word) || !unit_of_word(word).empty();
-    };
-    if (text.find_first_of("*~^!/") != std::string::npos || std::ranges::any_of(words_in(words), may_change_meaning)) {
-        return {};
-    }
-    for (std::size_t i = 1; i < text.size(); ++i) {
-        if (text[i - 1] == '-' && !is_digit(text[i]) && text[i] != '.') {
-            return {};
-        }
-    }
+    constexpr std::string_view known = "_.,;:=(){}[]<>$ \n+-"; // beside letters and digits
     const NumbersOfLine line(text);
-    bool has_all = true;
-    for (std::size_t i = 0; i < line.labels.size(); ++i) {
-        has_all = has_all && (!line.labels[i].empty() || !stream::is_number(line.texts[i]));
+    const Places places = line.places_of(numbers);
+    bool is_clear = !places.empty() && std::ranges::all_of(text, [&](char c) {
+        return is_alphanumeric(c) || known.find(c) != std::string_view::npos;
+    });
+    for (const std::size_t place : places) {
+        is_clear = is_clear && stream::is_number(line.texts[place]);
     }
-    const auto in_words = [&line](std::size_t place) {
-        return fmt::format("{}={}", line.labels[place], line.texts[place]);
-    };
-    return mapped(has_all ? line.places_of(numbers) : Places(), in_words);
+    for (std::size_t i = 0; i < line.labels.size(); ++i) { // a number without a label may belong to these
+        is_clear = is_clear && (!line.labels[i].empty() || !stream::is_number(line.texts[i]));
+    }
+    for (std::size_t i = 0; i < text.size() && is_clear;
+         ++i) { // words before brackets, and labels, are no more than that
+        if (!is_letter(text[i])) {
+            is_clear = text[i] != '-' || (i + 1 < text.size() && (is_digit(text[i + 1]) || text[i + 1] == '.'));
+            continue;
+        }
+        std::size_t end = i;
+        while (end < text.size() && (is_letter(text[end]) || is_digit(text[end]))) {
+            ++end;
+        }
+        const std::string word = text.substr(i, end - i);
+        const std::size_t next = std::min(text.find_first_not_of(" =:", end), text.size());
+        const bool is_exponent = word.starts_with('e') && i > 0 && is_digit(text[i - 1]);
+        const bool is_before = next < text.size() && end < text.size() && text[end] != '.' &&
+                               std::string_view("([{0123456789+-.").find(text[next]) != std::string_view::npos;
+        const Meaning* const meaning = find_meaning(word);
+        const bool is_modifier =
+            messages::is_spec("quat:" + word) || (meaning != nullptr && meaning->instead.starts_with(':'));
+        const bool is_label = std::ranges::count(line.labels, word) > 0;
+        is_clear = is_exponent || is_label || (is_before && !is_modifier && !may_change_meaning(word));
+        i = end - 1;
+    }
+    return mapped(is_clear ? places : Places(),
+                  [&line](std::size_t place) { return fmt::format("{}={}", line.labels[place], line.texts[place]); });
 }
 
 std::optional<LabelledLines> labelled_lines(const std::vector<std::string_view>& lines,

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "../../stream/bytes/file.hpp"
 #include "../../stream/numbers/number_text.hpp"
 #include "../grammar/column_names.hpp"
+#include "../grammar/value_text.hpp"
 #include "../grammar/values.hpp"
 #include "answers.hpp"
 #include "labelled_lines.hpp"
@@ -56,6 +58,20 @@ constexpr auto filters =
 bool is_zero(std::string_view field) {
     double number = 1.0;
     return stream::read_number(field, number) == stream::NumberError::none && number == 0.0;
+}
+
+/// Names that stand twice, each with a suffix that both of its kind share: those of two bodies.
+std::vector<std::string> told_apart(std::vector<std::string> names) {
+    std::map<std::string, std::vector<std::size_t>> places;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        places[names[i]].push_back(i);
+    }
+    for (const auto& [name, same] : places) {
+        for (std::size_t k = 0; k < same.size() && same.size() == 2; ++k) {
+            names[same[k]] += k == 0 ? "\x01" : "\x02";
+        }
+    }
+    return names;
 }
 
 /// A header, and where in it the names of a SPEC are.
@@ -168,16 +184,24 @@ private:
         }
     }
 
-    /// Offers the two sets of columns that a header names, if it is the line at which reading stopped.
+    /// Offers the two sets of columns that a header names, at the line at which reading stopped or just above.
+    /// @return whether there are several
     bool offer_sets() {
-        const std::size_t before = mends_.size();
-        const auto names = rows_[at_].has_numbers ? std::vector<std::string>() : rows_[at_].names();
-        const auto sets = sets_of_row(parts_of(input_.numbers), names, "").rows;
-        for (const auto& set : sets.size() == 2 ? sets : std::vector<std::vector<std::size_t>>()) {
-            offer({setting("--columns", list_of_columns(set, names))});
+        constexpr std::size_t most_above = 3;
+        for (std::size_t i = at_ + 1; i-- > at_ - std::min(at_, most_above);) {
+            const auto names = rows_[i].has_numbers ? std::vector<std::string>() : rows_[i].names();
+            const auto sets = sets_of_row(parts_of(input_.numbers), told_apart(names), "").rows;
+            if (sets.size() < 2 || !input_.columns.empty()) {
+                continue;
+            }
+            const std::size_t before = mends_.size();
+            for (const auto& set : sets.size() == 2 ? sets : std::vector<std::vector<std::size_t>>()) {
+                offer({setting("--columns", list_of_columns(set, names))});
+            }
+            join_groups(before);
+            return true;
         }
-        join_groups(before);
-        return mends_.size() > before;
+        return false;
     }
     /// Offers columns: by the names above the row; the only numbers among its fields; a matrix of 3x4 or 4x4; or those
     /// that are a unit quaternion, whose order is not known. False if the names are those of other columns than the
@@ -256,7 +280,18 @@ private:
     /// Offers rows that have more fields than their header: dates with blanks.
     void offer_wider_rows(std::size_t first) {
         const auto above = header_among(std::span(rows_).first(first), *spec_);
-        if (input_.columns.empty() && above && above->names.size() < rows_[first].fields.size()) {
+        const auto& fields = rows_[first].fields;
+        std::size_t units = 0; // quaternions of norm 1 in the row
+        for (std::size_t i = 0; i + 4 <= fields.size(); ++i) {
+            double square = 0.0;
+            for (std::size_t k = 0; k < 4; ++k) {
+                double number = 0.0;
+                const bool is_number = stream::read_number(fields[i + k], number) == stream::NumberError::none;
+                square += is_number ? number * number : 4.0;
+            }
+            units += std::abs(square - 1.0) < 2e-2 ? 1 : 0;
+        }
+        if (input_.columns.empty() && above && units == 1 && above->names.size() < fields.size()) {
             const auto begin = static_cast<std::size_t>(rows_[first].line.text.data() - text_.data());
             offer_choices(first, fmt::format("tail -n +{}", first + 1), std::string(text_.substr(begin)));
         }
@@ -454,16 +489,18 @@ private:
         }
     }
 
-    /// Offers the lines that alone are an attitude, as VALUEs are, if they stand at one place.
+    /// Offers the lines that alone are an attitude, as VALUEs are, if no other line may be one or says what they are.
     void offer_one_attitude() {
         constexpr std::size_t most_lines = 200;
+        constexpr std::size_t longest = 16'384;
         const Option* const from = command_->line->find("--from");
-        if (!spec_ || spec_->size() != count_ || from == nullptr || is_guess_ || rows_.size() > most_lines) {
+        if (!spec_ || spec_->size() != count_ || from == nullptr || is_guess_ || rows_.size() > most_lines ||
+            text_.size() > longest) {
             return;
         }
-        const std::initializer_list<std::size_t> heights = {5, 4, 3, 1}; // of a matrix and its name, or of any attitude
         const bool is_matrix = spec_->name == RepresentationId::dcm;
-        std::size_t first = rows_.size();
+        const std::initializer_list<std::size_t> heights = {5, 4, 3, 1}; // of a matrix and its name, or of any attitude
+        std::size_t first = 0;
         std::size_t size = 0;
         std::string text;
         for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -472,21 +509,20 @@ private:
                     return false;
                 }
                 const std::string_view last = rows_[i + height - 1].line.text;
-                const char* const begin = rows_[i].line.text.data();
-                const std::string lines(begin, last.data() + last.size());
+                const std::string lines(rows_[i].line.text.data(), last.data() + last.size());
                 bool means_other = false;
                 const auto values = attitude_in(lines, input_.numbers, from->text(), means_other);
                 const bool is_one = values && (is_matrix || !values->has_other_label); // a matrix proves itself
                 text = is_one ? lines + "\n" : text;
                 return is_one;
             };
-            if (const auto* const height = std::ranges::find_if(heights, holds); height != heights.end()) {
-                if (size > 0) {
-                    return;
-                }
+            const auto* const height = std::ranges::find_if(heights, holds);
+            if (height != heights.end() && size == 0) {
                 first = i;
                 size = *height;
                 i += size - 1;
+            } else if (height != heights.end() || may_mean_attitude(rows_[i].line.text)) {
+                return;
             }
         }
         if (size > 0) {
@@ -495,6 +531,22 @@ private:
                             : fmt::format("sed -n {},{}p", first + 1, first + size),
                   text);
         }
+    }
+    /// Whether a line has the numbers of an attitude, or words that say something of others.
+    [[nodiscard]] bool may_mean_attitude(std::string_view line) const {
+        std::string words(line);
+        std::size_t numbers = 0;
+        for (char& c : words) {
+            c = is_alphanumeric(c) || c == '.' || c == '-' || c == '_' ? c : ' ';
+        }
+        const auto is_telling = [&](const std::string& word) {
+            numbers += stream::is_number(word) ? 1 : 0;
+            const std::string own = lower(word);
+            return is_operation(word) || is(WordKind::aside, own) || own.starts_with("cov") ||
+                   own.find("inv") != std::string::npos || own.find("major") != std::string::npos ||
+                   (own.size() > 1 && !stream::is_number(word) && messages::is_verb(own));
+        };
+        return std::ranges::any_of(words_in(words), is_telling) || numbers >= count_;
     }
 
     static constexpr std::size_t most_kinds = 4;
@@ -525,7 +577,7 @@ std::vector<std::string> names_of_spec(const std::string& text) {
 
 std::vector<double> numbers_in(std::string text) {
     std::ranges::replace_if(
-        text, [](char c) { return std::string_view(",;:=[](){}\t\n").find(c) != std::string_view::npos; }, ' ');
+        text, [](char c) { return std::string_view(",;[](){}\t\n").find(c) != std::string_view::npos; }, ' ');
     std::vector<double> numbers;
     for (const std::string& word : words_in(text)) {
         double number = 0.0;
@@ -577,7 +629,9 @@ std::vector<std::string> specs_of_file(const std::string& name, const std::strin
     preamble.read(block, true, nowhere);
     const Row row(preamble.has_row() ? stream::next_line(block.text) : stream::Line(), input);
     if (!row.has_numbers) {
-        const bool is_json = bytes.find_first_of("{[") == bytes.find_first_not_of(" \t\r\n");
+        const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+        const std::string_view begin = std::string_view(bytes).substr(first, 2);
+        const bool is_json = begin.starts_with('{') || (begin.size() == 2 && begin[0] == '[' && begin[1] < 'A');
         said += fmt::format("; {} {}", name, is_json ? "looks like JSON" : "does not begin with a row of numbers");
         return {possible_specs.begin(), possible_specs.end()}; // the whole may be one attitude
     }
@@ -611,7 +665,7 @@ std::vector<std::vector<Mend>> doubles_of_numpy(const RowsCommand& command, std:
     const std::size_t begin = prefix + byte(8) + 256 * byte(9);
     const std::string_view header = bytes.substr(0, begin);
     const std::string shape = fmt::format(", {})", command.options.input.numbers.names.size());
-    const bool has_rows = header.find("'<f8'") != std::string_view::npos &&
+    const bool has_rows = header.find("'descr': '<f8'") != std::string_view::npos &&
                           header.find("'fortran_order': False") != std::string_view::npos &&
                           header.find(shape) != std::string_view::npos;
     if (!has_rows || bytes.size() <= begin) {
@@ -684,9 +738,10 @@ Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
         specs = specs_of_numbers(numbers_in(joined(options.values, " ")), said);
     } else if (const auto bytes = path.empty() ? std::optional(stream::File::lines_of_pipe()) : first_bytes(path)) {
         specs = specs_of_file(path.empty() ? "the input" : quoted(path), *bytes, said);
-        const Project* const project = find_project(path.substr(path.find_last_of('.') + 1)); // scan.ctf
-        if (project != nullptr && project->is_spec() && specs.size() != 1) {
-            specs = {std::string(project->text)};
+        const auto dot = path.rfind('.');
+        const Project* const project = dot == std::string::npos ? nullptr : find_project(path.substr(dot + 1));
+        if (project != nullptr && project->is_spec() && specs.size() != 1) { // scan.ctf
+            specs.insert(specs.begin(), std::string(project->text));
         }
     }
     const bool has_known = is_identify && specs == any_quaternion; // rows are wide enough for a known attitude

@@ -137,22 +137,6 @@ Words choose_nearest(std::string_view text, const Legal& legal) {
     return best;
 }
 
-/// The SPEC beside which the table of projects has the word, if there is one alone: helical of Vicon.
-Words specs_said(const std::string& word) {
-    Words specs;
-    for (const Project& project : projects()) {
-        for (const std::string_view item : split(project.specs, ';')) {
-            const auto words = words_in(item);
-            const bool has_word =
-                word.size() > 3 && words.size() > 1 && std::ranges::count(mapped(words, lower), lower(word), {}) > 0;
-            if (has_word && std::ranges::count(specs, words[0]) == 0) {
-                specs.push_back(words[0]);
-            }
-        }
-    }
-    return specs.size() == 1 && is_spec(specs[0]) ? specs : Words();
-}
-
 // NOLINTNEXTLINE(misc-no-recursion): once for each side
 Words meant(std::string_view word, const Legal& legal) {
     Words texts;
@@ -166,7 +150,6 @@ Words meant(std::string_view word, const Legal& legal) {
         return texts;
     }
     texts = is_spec(bare) ? Words{bare} : sequences_in(bare);
-    texts = texts.empty() ? specs_said(bare) : texts;
     for (const std::string side : {"to", "from"}) { // --to-euler
         const bool has_side = bare.starts_with(side + "-") || bare.starts_with(side + "_");
         for (const std::string& spec : has_side ? meant(bare.substr(side.size() + 1), {}) : Words()) {
