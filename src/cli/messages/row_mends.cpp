@@ -513,7 +513,10 @@ private:
                 bool means_other = false;
                 const auto values = attitude_in(lines, input_.numbers, from->text(), means_other);
                 const bool is_one = values && (is_matrix || !values->has_other_label); // a matrix proves itself
-                text = is_one ? lines + "\n" : text;
+                if (is_one) {
+                    text = lines;
+                    text += '\n';
+                }
                 return is_one;
             };
             const auto* const height = std::ranges::find_if(heights, holds);
