@@ -64,11 +64,11 @@ std::vector<Mend> with_values_in_rows(const CommandOptions& operands) {
     const std::string names =
         added(is_attitude ? operations::names_of(*spec) : std::vector<std::string>{"x", "y", "z"});
     const char end = is_attitude ? '^' : '$';
-    const std::string filter = rows->has_header ? fmt::format("sed '1s/{0}/{1}/;2,$s/{0}/{2}/'", end, names, own)
-                                                : fmt::format("sed 's/{}/{}/'", end, own);
-    return {operands.piped({mapped(operands.value_words, [](const WordEnd& word) { return Edit{word}; })}, filter,
+    const std::string filter = rows->has_header() ? fmt::format("sed '1s/{0}/{1}/;2,$s/{0}/{2}/'", end, names, own)
+                                                  : fmt::format("sed 's/{}/{}/'", end, own);
+    return {operands.piped(operands.with_values({}), filter,
                            filtered_lines(*bytes, [&](std::size_t index, const std::string& line) {
-                               const std::string& more = rows->has_header && index == 0 ? names : own;
+                               const std::string& more = rows->has_header() && index == 0 ? names : own;
                                return is_attitude ? more + line : line + more;
                            }))};
 }

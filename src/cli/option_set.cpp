@@ -80,6 +80,14 @@ Option* OptionSet::find(std::string_view name) const {
 
 bool OptionSet::knows(std::string_view name) const { return find(second_name(name).option) != nullptr; }
 
+Mend OptionSet::with_values(const std::vector<std::string>& instead) const {
+    Mend mend{mapped(value_words, [](const WordEnd& word) { return Edit{word}; })};
+    if (!instead.empty()) {
+        mend.edits.push_back({{Edit::at_end}, 0, instead});
+    }
+    return mend;
+}
+
 Edit OptionSet::changing(const Option& option, const std::string& argument) {
     const bool is_joined = option.place.begin > 0;
     return argument.empty() ? Edit{{option.place.word - (is_joined ? 0 : 1)}, is_joined ? std::size_t{1} : 2}

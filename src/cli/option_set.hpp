@@ -131,6 +131,8 @@ public:
     [[nodiscard]] Option* find(std::string_view name) const;
     /// Also by a second name.
     [[nodiscard]] bool knows(std::string_view name) const;
+    /// These words in the place of VALUEs; without words the VALUEs go.
+    [[nodiscard]] Mend with_values(const std::vector<std::string>& instead) const;
     /// Has the option, which is given, have that argument; without one it goes.
     [[nodiscard]] static Edit changing(const Option& option, const std::string& argument);
     /// The same for an option that may not be given.

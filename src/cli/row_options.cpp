@@ -120,9 +120,7 @@ Values values_or_mends(const RowOptions& options, const stream::InputOptions& in
                              [&](const std::string& spec) { return Mend{{OptionSet::setting(options.from, spec)}}; });
         const auto labelled = labelled_numbers(joined(options.values, " "), in.numbers);
         if (error.mends.empty() && !labelled.empty() && in.columns.empty()) {
-            Mend mend{mapped(options.value_words, [](const WordEnd& word) { return Edit{word}; })};
-            mend.edits.push_back({{Edit::at_end}, 0, labelled});
-            error.mends.push_back(std::move(mend));
+            error.mends.push_back(options.with_values(labelled));
         }
         const bool in_degrees =
             options.degrees.given() || (in.numbers.attitude && in.numbers.attitude->unit == AngleUnit::degrees);

@@ -158,6 +158,13 @@ bool has_word(std::string_view name, std::string_view beginnings, std::string_vi
     return has(beginnings, "") || has(wholes, "_");
 }
 
+/// What names say of numbers that are never taken by themselves.
+bool is_of_error(std::string_view name) {
+    return has_word(name, "speed spd dps acc std sigma cov var err delta reset offset bias", "dot");
+}
+bool is_of_rate(std::string_view name) { return has_word(name, "rate vel"); }
+bool is_of_command(std::string_view name) { return has_word(name, "cmd setpoint target ref", "sp des desired"); }
+
 /// Calls what to do with the place of the first word in its name, and with the places of all, for each set of names
 /// that are the words between one prefix and one suffix. A name that stands twice, or that is as long as a text, is in
 /// none.
@@ -244,10 +251,17 @@ bool is_unit(std::string_view text) {
     return !unit_of(text).empty() || (!own.empty() && is_other);
 }
 
+bool is_name_of_time(const std::string& name) {
+    constexpr std::array<std::string_view, 4> times{"t", "time", "timestamp", "stamp"};
+    return std::ranges::count(times, name_and_unit(name).first) != 0;
+}
+
+bool has_open_order(const Spec& spec) {
+    return spec.name == RepresentationId::quat && !spec.has_given_order && spec.project == nullptr;
+}
+
 bool is_of_other_quantity(std::string_view name) {
-    return has_word(name,
-                    "speed spd dps acc std sigma cov var err delta reset offset bias rate vel cmd setpoint target",
-                    "dot sp ref des desired gyro");
+    return is_of_error(name) || is_of_rate(name) || is_of_command(name) || has_word(name, "", "gyro");
 }
 
 std::vector<Part> parts_of(const stream::RowNumbers& numbers) {
@@ -330,12 +344,10 @@ bool may_be_taken(const KnownNames& set, const Part& part, std::span<const std::
     auto texts = set.of(names);
     texts.push_back(set.suffix);
     return std::ranges::none_of(texts, [&](const std::string& name) {
-        const bool is_of_rate = has_angles && is_unit_of_rate(name);
-        const bool is_other =
-            set.rank > 0 && (has_word(name, "speed spd dps acc std sigma cov var err delta reset offset bias", "dot") ||
-                             (part.attitude && has_word(name, "rate vel")) ||
-                             (!is_pair && has_word(name, "cmd setpoint target ref", "sp des desired")));
-        return is_of_rate || is_other;
+        const bool has_rate = has_angles && is_unit_of_rate(name);
+        const bool is_other = set.rank > 0 && (is_of_error(name) || (part.attitude && is_of_rate(name)) ||
+                                               (!is_pair && is_of_command(name)));
+        return has_rate || is_other;
     });
 }
 
@@ -349,8 +361,7 @@ std::vector<KnownNames> kept_columns(const std::vector<std::string>& names, cons
         return place == nullptr ? found : std::vector{KnownNames{*place}};
     }
     for (std::size_t i = 0; i < names.size(); ++i) {
-        constexpr std::array<std::string_view, 4> times{"t", "time", "timestamp", "stamp"};
-        if (std::ranges::count(times, name_and_unit(names[i]).first) != 0) {
+        if (is_name_of_time(names[i])) {
             found.push_back({{i}});
         }
     }

@@ -79,6 +79,12 @@ struct ColumnSets {
 /// Where rows of so many fields have the numbers of a SPEC in the files of its project.
 [[nodiscard]] stream::ChosenColumns columns_of_project(const Spec& spec, std::size_t fields);
 
+/// t, time, timestamp or stamp, perhaps with a unit.
+[[nodiscard]] bool is_name_of_time(const std::string& name);
+
+/// Whether nothing says which number of a quaternion is its first.
+[[nodiscard]] bool has_open_order(const Spec& spec);
+
 /// deg or rad, also of a rate, or a unit of time, as headers write it, in brackets or not; empty for others.
 [[nodiscard]] std::string_view unit_of(std::string_view text);
 

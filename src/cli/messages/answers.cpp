@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -328,7 +330,25 @@ std::optional<SimpleRows> simple_rows(std::string_view text) {
     }
     const stream::Line line = stream::next_line(text);
     const stream::HeaderLine first(line, stream::Delimiter::of_row(line.text));
-    return SimpleRows{std::string(1, first.delimiter.text()), std::ranges::none_of(first.fields, stream::is_number)};
+    const bool is_header = std::ranges::none_of(first.fields, stream::is_number);
+    return SimpleRows{std::string(1, first.delimiter.text()), is_header ? first.names() : std::vector<std::string>()};
+}
+
+std::vector<std::size_t> unit_quaternions(const std::vector<std::string_view>& fields) {
+    constexpr double most_off = 2e-2; // of few digits
+    constexpr std::size_t size = 4;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i + size <= fields.size(); ++i) {
+        double square = 0.0;
+        for (const std::string_view field : std::span(fields).subspan(i, size)) {
+            double number = 2.0; // of what is none
+            square += stream::read_number(field, number) == stream::NumberError::none ? number * number : 4.0;
+        }
+        if (std::abs(square - 1.0) < most_off) {
+            places.push_back(i);
+        }
+    }
+    return places;
 }
 
 std::string filtered_lines(std::string_view text,

@@ -39,11 +39,16 @@ inline constexpr std::string_view raw_word = "\x01";
 
 /// Rows that a filter of lines may lengthen.
 struct SimpleRows {
-    std::string mark; ///< between fields
-    bool has_header = false;
+    std::string mark;               ///< between fields
+    std::vector<std::string> names; ///< of a header
+
+    [[nodiscard]] bool has_header() const noexcept { return !names.empty(); }
 };
 /// Nothing for a text with quotes, carriage returns or a byte order mark.
 [[nodiscard]] std::optional<SimpleRows> simple_rows(std::string_view text);
+/// Where quaternions of norm 1 begin among fields.
+[[nodiscard]] std::vector<std::size_t> unit_quaternions(const std::vector<std::string_view>& fields);
+
 /// What a filter makes of a text, line by line from 0 on.
 [[nodiscard]] std::string
 filtered_lines(std::string_view text,

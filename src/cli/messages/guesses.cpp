@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -7,9 +6,7 @@
 
 #include "../../core/projects.hpp"
 #include "../../methods/method.hpp"
-#include "../../stream/beginning/header_line.hpp"
 #include "../../stream/bytes/file.hpp"
-#include "../../stream/bytes/io_block.hpp"
 #include "../command.hpp"
 #include "../grammar/column_names.hpp"
 #include "../grammar/value_text.hpp"
@@ -81,22 +78,26 @@ public:
         }
         Mend mend{{{{at_}, takes_argument && listed < 2 && !is_joined_ ? std::size_t{2} : 1}}};
         if (is_reference) {
-            const bool is_piped = options_->files.size() == (is_joined_ ? 0 : 1) && options_->values.empty();
-            mend.edits.push_back(
-                {{Edit::at_end}, 0, is_piped ? std::vector<std::string>{"-", argument_} : std::vector{argument_}});
-            const bool has_end = std::ranges::count(options_->words, "--") > 0; // of options
-            return has_end ? std::vector<Mend>() : std::vector{mend};
+            return as_reference(mend);
         }
         if (text == "tail" || text == "awk") {
             return text == "tail" ? skipping(mend) : with_times(mend);
         }
+        return by_words(std::move(mend), text, takes_argument, listed);
+    }
+
+private:
+    /// The words of `text` in the place of its own. @param listed how many VALUEs stand behind it
+    [[nodiscard]] std::vector<Mend> by_words(Mend mend, const std::string& text, bool takes_argument,
+                                             std::size_t listed) const {
+        const Option* const from = options_->find("--from");
         std::string modifier;
         for (std::string word : words_in(text)) {
             const bool is_values = word == "@ARG";
             if (is_values && listed > 1) { // they stay where they are
                 continue;
             }
-            replace(word, "FROM", lacks_from || !has("FROM") ? "" : from->text());
+            replace(word, "FROM", from != nullptr ? from->text() : "");
             replace(word, "ARG", argument_);
             replace(word, "~", " ");
             if (is_values) {
@@ -123,7 +124,14 @@ public:
         return modifier.empty() ? std::vector<Mend>{mend} : with(mend, modifier);
     }
 
-private:
+    /// Its argument as REFERENCE, which comes last; FILE may be stdin.
+    [[nodiscard]] std::vector<Mend> as_reference(Mend mend) const {
+        const bool is_piped = options_->files.size() == (is_joined_ ? 0 : 1) && options_->values.empty();
+        const bool has_end = std::ranges::count(options_->words, "--") > 0; // of options
+        mend.edits.push_back(
+            {{Edit::at_end}, 0, is_piped ? std::vector<std::string>{"-", argument_} : std::vector{argument_}});
+        return has_end ? std::vector<Mend>() : std::vector{std::move(mend)};
+    }
     static void replace(std::string& text, std::string_view part, const std::string& by) {
         if (const auto at = text.find(part); at != std::string::npos) {
             text.replace(at, part.size(), by);
@@ -170,17 +178,12 @@ private:
         if (!step || !rows || (command != "rates" && command != "propagate")) {
             return {};
         }
-        std::string_view rest = *bytes;
-        const stream::HeaderLine names(stream::next_line(rest), stream::Delimiter::character(rows->mark[0]));
-        if (rows->has_header && std::ranges::any_of(names.names(), [](const std::string& name) {
-                const std::string own = name_and_unit(name).first;
-                return own == "t" || own == "time" || own == "timestamp" || own == "stamp";
-            })) {
-            return {}; // it has times
+        if (std::ranges::any_of(rows->names, is_name_of_time)) {
+            return {};
         }
-        const std::size_t first = rows->has_header ? 1 : 0;
+        const std::size_t first = rows->has_header() ? 1 : 0;
         const std::string header =
-            rows->has_header ? fmt::format(R"(NR == 1 {{print "t{}" $0; next}} )", rows->mark) : "";
+            rows->has_header() ? fmt::format(R"(NR == 1 {{print "t{}" $0; next}} )", rows->mark) : "";
         const std::string program =
             fmt::format(R"({}{{printf "%.9f{}%s\n", (NR-{}) * {}, $0}})", header, rows->mark, first + 1, argument_);
         Mend made = reading(mend, fmt::format("awk '{}' <", program));
@@ -378,11 +381,6 @@ std::vector<Mend> with_numbers_for_pi(const OptionSet& options) {
 std::vector<std::vector<Mend>> meant_by_values(const OptionSet& options, const stream::RowNumbers& numbers) {
     const std::size_t expected = numbers.names.size();
     const auto& values = options.values;
-    const auto with = [&](const std::vector<std::string>& words) {
-        Mend mend{mapped(options.value_words, [](const WordEnd& word) { return Edit{word}; })};
-        mend.edits.push_back({{Edit::at_end}, 0, words});
-        return mend;
-    };
     const auto words_without = [text = joined(values, " ")](std::string_view separators) {
         std::string words = text;
         std::ranges::replace_if(
@@ -391,12 +389,12 @@ std::vector<std::vector<Mend>> meant_by_values(const OptionSet& options, const s
     };
     std::vector<std::vector<Mend>> mends;
     if (values.size() > 1 && values[0].find(',') != std::string::npos) { // a row of several words
-        mends.push_back({with({joined(values, ",")})});
+        mends.push_back({options.with_values({joined(values, ",")})});
     }
     auto points = words_without(";");
     std::ranges::for_each(points, [](std::string& word) { std::ranges::replace(word, ',', '.'); });
     if (points.size() == expected && std::ranges::all_of(points, stream::is_number)) { // decimal commas
-        mends.push_back({with(points)});
+        mends.push_back({options.with_values(points)});
     }
     const auto texts = words_without(",;[](){}p");
     const bool is_alone = numbers.attitude && numbers.attitude->size() == expected;
@@ -407,28 +405,19 @@ std::vector<std::vector<Mend>> meant_by_values(const OptionSet& options, const s
         mends.push_back({{{{{Edit::at_end}, 0, {"--columns", "1-3,5-7,9-11"}}}}});
         return mends;
     }
-    const bool is_quat = numbers.attitude->name == RepresentationId::quat;
     const bool is_pose_of_ur = lower(values[0]).starts_with("p[") && texts.size() == 6;
-    std::vector<std::vector<std::string>> found; // the unit quaternions
-    for (std::size_t i = 0; i + expected <= texts.size(); ++i) {
-        const auto begin = texts.begin() + static_cast<std::ptrdiff_t>(i);
-        std::vector<std::string> part(begin, begin + static_cast<std::ptrdiff_t>(expected));
-        double square = 0.0;
-        for (const std::string& text : part) {
-            double number = 0.0;
-            static_cast<void>(stream::read_number(text, number));
-            square += number * number;
-        }
-        if (is_quat ? std::abs(square - 1.0) < 2e-2 : is_pose_of_ur && i == 3) {
-            found.push_back(std::move(part));
-        }
-    }
-    if (found.size() == 1) {
-        mends.push_back({with(found[0])});
-        if (const Option* const from = options.find("--from");
-            is_quat && !numbers.attitude->has_given_order && numbers.attitude->project == nullptr && from != nullptr) {
-            mends.back().push_back(with(found[0]));
-            mends.back().back().edits.push_back(OptionSet::setting(*from, "quat:xyzw")); // no name says which is first
+    const auto places = numbers.attitude->name == RepresentationId::quat
+                            ? unit_quaternions({texts.begin(), texts.end()})
+                        : is_pose_of_ur ? std::vector<std::size_t>{3}
+                                        : std::vector<std::size_t>();
+    if (places.size() == 1) {
+        const auto begin = texts.begin() + static_cast<std::ptrdiff_t>(places[0]);
+        const std::vector<std::string> found(begin, begin + static_cast<std::ptrdiff_t>(expected));
+        mends.push_back({options.with_values(found)});
+        const Option* const from = options.find("--from");
+        if (has_open_order(*numbers.attitude) && from != nullptr) {
+            mends.back().push_back(options.with_values(found));
+            mends.back().back().edits.push_back(OptionSet::setting(*from, "quat:xyzw"));
         }
     }
     return mends;

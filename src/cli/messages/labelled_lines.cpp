@@ -170,16 +170,17 @@ private:
     static constexpr std::size_t longest = 1000;
 
     /// Of numbers with labels, if no other word says something of them.
-    [[nodiscard]] Places labelled_places(const std::string& line) const {
-        return std::ranges::any_of(words_of_line(line), may_change_meaning) ? Places()
-                                                                            : NumbersOfLine(line).places_of(*numbers_);
+    [[nodiscard]] Places labelled_places(const std::string& line, const NumbersOfLine& numbers) const {
+        return std::ranges::any_of(words_of_line(line), may_change_meaning) ? Places() : numbers.places_of(*numbers_);
     }
 
     /// Which of the numbers of a line are those of an attitude that it holds, as a LIST.
     [[nodiscard]] std::optional<std::string> columns_in(std::string_view text) const {
         const std::string line(text.substr(0, longest));
         const bool is_ascii = std::ranges::all_of(line, [](char c) { return static_cast<unsigned char>(c) < 128; });
-        if (const auto named = is_ascii && line.size() < longest ? labelled_places(line) : Places(); !named.empty()) {
+        if (const auto named =
+                is_ascii && line.size() < longest ? labelled_places(line, NumbersOfLine(line)) : Places();
+            !named.empty()) {
             return list_of_columns(named);
         }
         for (const LinePart& part : is_ascii&& line.size() < longest ? parts_of_line(line) : std::vector<LinePart>()) {
@@ -212,8 +213,9 @@ private:
     [[nodiscard]] std::optional<LabelledLines> of_words(std::string_view line, const std::string& columns) const {
         constexpr std::size_t most_words = 20;
         const std::string text(line.substr(0, longest));
-        const Places named = labelled_places(text);
-        const std::string label = named.empty() ? "" : NumbersOfLine(text).labels[named[0]]; // in all lines that count
+        const NumbersOfLine numbers(text);
+        const Places named = labelled_places(text, numbers);
+        const std::string label = named.empty() ? "" : numbers.labels[named[0]]; // in all lines that count
         auto words = words_of_line(text);
         words.resize(std::min(words.size(), most_words));
         words.emplace_back();
@@ -347,8 +349,8 @@ std::vector<std::string> labelled_numbers(const std::string& text, const stream:
     for (std::size_t i = 0; i < line.labels.size(); ++i) { // a number without a label may belong to these
         is_clear = is_clear && (!line.labels[i].empty() || !stream::is_number(line.texts[i]));
     }
-    for (std::size_t i = 0; i < text.size() && is_clear;
-         ++i) { // words before brackets, and labels, are no more than that
+    // words before brackets, and labels, are no more than that
+    for (std::size_t i = 0; i < text.size() && is_clear; ++i) {
         if (!is_letter(text[i])) {
             is_clear = text[i] != '-' || (i + 1 < text.size() && (is_digit(text[i + 1]) || text[i + 1] == '.'));
             continue;

@@ -247,8 +247,7 @@ private:
                               const std::string& text = {}) {
         const std::size_t before = mends_.size();
         offer({columns}, pipe, text);
-        const bool is_quat = spec_->name == RepresentationId::quat && !spec_->has_given_order;
-        if (is_quat && !is_known && spec_->project == nullptr && mends_.size() > before) {
+        if (has_open_order(*spec_) && !is_known && mends_.size() > before) {
             offer({columns, setting("--from", "quat:xyzw")}, pipe, text);
             join_groups(before);
         }
@@ -281,17 +280,8 @@ private:
     void offer_wider_rows(std::size_t first) {
         const auto above = header_among(std::span(rows_).first(first), *spec_);
         const auto& fields = rows_[first].fields;
-        std::size_t units = 0; // quaternions of norm 1 in the row
-        for (std::size_t i = 0; i + 4 <= fields.size(); ++i) {
-            double square = 0.0;
-            for (std::size_t k = 0; k < 4; ++k) {
-                double number = 0.0;
-                const bool is_number = stream::read_number(fields[i + k], number) == stream::NumberError::none;
-                square += is_number ? number * number : 4.0;
-            }
-            units += std::abs(square - 1.0) < 2e-2 ? 1 : 0;
-        }
-        if (input_.columns.empty() && above && units == 1 && above->names.size() < fields.size()) {
+        if (input_.columns.empty() && above && above->names.size() < fields.size() &&
+            unit_quaternions(fields).size() == 1) {
             const auto begin = static_cast<std::size_t>(rows_[first].line.text.data() - text_.data());
             offer_choices(first, fmt::format("tail -n +{}", first + 1), std::string(text_.substr(begin)));
         }
@@ -684,7 +674,7 @@ std::vector<std::vector<Mend>> doubles_of_numpy(const RowsCommand& command, std:
     };
     const auto& spec = command.options.input.numbers.attitude;
     std::vector<Mend> mends{reading({})};
-    if (spec && spec->name == RepresentationId::quat && !spec->has_given_order && spec->project == nullptr) {
+    if (spec && has_open_order(*spec)) {
         mends.push_back(reading({command.line->setting(*command.line->find("--from"), "quat:xyzw")})); // SciPy's
     }
     return {mends};
