@@ -247,7 +247,7 @@ Command read_command_line(const std::vector<std::string>& words) {
     }
     for (const std::string& misuse : {of_conversion->misuse, options->misuse}) {
         if (!misuse.empty()) {
-            throw Usage(misuse);
+            throw Usage(misuse).with(messages::with_second_options(*options));
         }
     }
     if (of_conversion->help_flag.given() || options->help_flag.given()) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <span>
 #include <tuple>
@@ -13,16 +14,20 @@
 #include "../stream/beginning/delimiter.hpp"
 #include "grammar/column_names.hpp"
 #include "grammar/values.hpp"
+#include "messages/answers.hpp"
 #include "messages/labelled_lines.hpp"
 
 namespace rotconv::cli {
 namespace {
 
-stream::ColumnList parse(const std::string& list, std::size_t count, std::string_view option,
-                         std::string_view subject) {
+/// @param mends where the count is wrong
+stream::ColumnList parse(const std::string& list, std::size_t count, std::string_view option, std::string_view subject,
+                         const std::function<std::vector<Mend>(std::size_t count)>& mends = {}) {
     auto parsed = stream::ColumnList::parse(list, count);
     if (const auto* error = std::get_if<stream::ColumnError>(&parsed)) {
-        throw Usage("{}: {}", option, messages::explain(*error, subject));
+        const bool has_mends = error->what == stream::ColumnError::What::wrong_count && mends;
+        throw Usage("{}: {}", option, messages::explain(*error, subject))
+            .with(has_mends ? mends(error->count) : std::vector<Mend>());
     }
     return std::get<stream::ColumnList>(std::move(parsed));
 }
@@ -88,7 +93,12 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
     in.are_chosen = selected.list.empty() && !selected.key.empty();
     if (!selected.list.empty()) {
         const std::size_t count = in.numbers.names.size() - (selected.key.empty() ? 0 : 1);
-        in.columns = parse(selected.list, count, selected.option, subject);
+        const Option* const option = options.find(selected.option);
+        in.columns = parse(selected.list, count, selected.option, subject, [&](std::size_t selects) {
+            return option == nullptr || !option->given()
+                       ? std::vector<Mend>()
+                       : messages::with_other_columns(options, *option, in.numbers, selects);
+        });
         if (!selected.key.empty()) {
             in.columns = parse(selected.key + "," + selected.list, count + 1, selected.option, subject);
         }

@@ -109,7 +109,7 @@ public:
         const std::string message = in_words(*last_error_);
         using What = stream::RowError::What;
         if (ending.answered == 0 || last_error_->what == What::other_width ||
-            last_error_->what == What::missing_column) {
+            last_error_->what == What::missing_column || last_error_->what == What::attitude) {
             tell_with_answers(place, message);
         } else {
             tell(place, message);
@@ -216,7 +216,8 @@ private:
         using enum stream::RowError::What;
         return command_->options.input.width == 0 && !error.place.is_in_reference() && error.cause.line == 0 &&
                (error.what == not_a_number || error.what == wrong_count || error.what == missing_column ||
-                error.what == other_width || error.what == open_quote);
+                error.what == other_width || error.what == open_quote ||
+                (error.what == attitude && (error.error == Error::defect || error.error == Error::coarse_step)));
     }
     [[nodiscard]] std::string text_of(const stream::Place& place) const {
         const std::string at = place.line == 0 || command_->has_values ? "" : fmt::format(":{}", place.line);

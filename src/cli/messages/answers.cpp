@@ -104,10 +104,25 @@ struct Outcome {
     std::vector<std::vector<Mend>> mends{}; ///< otherwise: the first group of which one serves counts
 };
 
+/// For numbers that are further from a rotation than the tolerance allows, but may be meant as one.
+std::vector<std::vector<Mend>> with_more_tolerance(const CommandOptions& options, const stream::RowError& error) {
+    constexpr double most = 0.05;
+    const Option* const tolerance = options.find("--tolerance");
+    std::vector<std::vector<Mend>> mends;
+    if (error.what == stream::RowError::What::attitude && error.error == Error::defect && error.defect < most &&
+        tolerance != nullptr) {
+        for (const char* each : {"0.01", "0.1"}) {
+            mends.push_back({{{OptionSet::setting(*tolerance, each)}}});
+        }
+    }
+    return mends;
+}
+
 /// Runs the rows at hand, and tells nothing.
 Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std::string& text, bool whole) {
     std::optional<stream::RowError> wrong;
     std::vector<Edit> better;
+    std::vector<Edit> noted;
     bool is_whole_text = false; // which has no header
     const auto take = [&](const stream::Event& event) {
         const auto* const diagnostic = std::get_if<stream::Diagnostic>(&event);
@@ -119,6 +134,7 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
         is_whole_text = is_whole_text || (note != nullptr && note->kind == stream::Note::Kind::text);
         if (note != nullptr && !note->words.empty()) {
             better.push_back({{Edit::at_end}, 0, note->words});
+            noted.push_back(better.back());
         }
         if (const auto* const error = std::get_if<stream::RowError>(&event); error != nullptr && !wrong) {
             wrong = *error;
@@ -145,6 +161,11 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
         return {.serves = true, .names = names, .is_tried = names != RowNamesKind::others, .better = better};
     }
     using What = stream::StreamError::What;
+    if (auto mends = wrong ? with_more_tolerance(*command.line, *wrong) : std::vector<std::vector<Mend>>();
+        !mends.empty() || !noted.empty()) {
+        mends = noted.empty() ? mends : std::vector<std::vector<Mend>>{{{noted}}};
+        return {.is_tried = true, .mends = mends};
+    }
     if (command.has_values || options.input.width > 0) {
         const bool is_count = wrong && wrong->what == stream::RowError::What::wrong_count;
         return {.is_tried = true,

@@ -34,6 +34,13 @@ inline constexpr std::string_view raw_word = "\x01";
 /// The end of the message on a row that cannot be read, and the answers.
 [[nodiscard]] std::string end_of_message(const RowsCommand& command, std::string_view beginning);
 
+/// Mends of --columns, or --reference-columns, which selects `count` columns, not as many as a row has numbers: names
+/// in ranges, names of other numbers beside them, a time that is missing.
+namespace messages {
+[[nodiscard]] std::vector<Mend> with_other_columns(const CommandOptions& options, const Option& option,
+                                                   const stream::RowNumbers& numbers, std::size_t count);
+} // namespace messages
+
 /// The first bytes of a file that can be read again; nothing for others.
 [[nodiscard]] std::optional<std::string> first_bytes(const std::string& path);
 
@@ -69,5 +76,8 @@ filtered_lines(std::string_view text,
 /// The same where they are JSON.
 [[nodiscard]] std::vector<std::vector<Mend>> json_mends(const RowsCommand& command, std::string_view beginning,
                                                         bool is_guess);
+
+/// The same of a file of NumPy's save() with rows of doubles (numpy.lib.format, version 1): what is behind its header.
+[[nodiscard]] std::vector<std::vector<Mend>> numpy_mends(const RowsCommand& command, std::string_view bytes);
 
 } // namespace rotconv::cli

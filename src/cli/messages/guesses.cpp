@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <variant>
 
 #include "../../core/projects.hpp"
@@ -58,11 +60,19 @@ public:
         if ((is_reference || text == "ARG") && !word_.starts_with('-')) { // a word that is no option has no argument
             return {};
         }
+        if (has("euler:ARG") && !EulerSequence::parse(argument_)) {
+            return {};
+        }
         const bool takes_argument = has("ARG") || is_reference || text == "tail" || text == "awk" || text == "- -";
         const bool lacks_from = has("FROM") && (from == nullptr || !from->given());
         if ((takes_argument && argument_.empty()) || lacks_from ||
             (is_command(text.substr(0, text.find(' '))) && options_->begin > 0)) {
             return {};
+        }
+        const Option* const columns = options_->find("--columns");
+        if (text == "@ARG" && columns != nullptr && columns->given() && !is_value(argument_)) { // of a vector
+            return {{{{{at_}, is_joined_ ? std::size_t{1} : 2},
+                      OptionSet::changing(*columns, columns->text() + "," + argument_)}}};
         }
         const std::size_t listed = has("@ARG") ? size_of_list() : 1;
         const bool is_of_rotate = options_->command_name() == "rotate";
@@ -202,7 +212,9 @@ private:
             return {};
         }
         std::vector<Mend> mends;
-        for (const char* name : {is_inverse ? "--to" : "--from", is_inverse ? "--from" : "--to"}) {
+        const bool is_of_result =
+            is_inverse && options_->find("--by") == nullptr; // of FILE's attitudes, not the product
+        for (const char* name : {is_of_result ? "--to" : "--from", is_of_result ? "--from" : "--to"}) {
             const Option* const option = options_->find(name);
             if (option == nullptr || !option->given() || (is_inverse && !mends.empty())) {
                 continue;
@@ -254,7 +266,10 @@ bool is_preset(std::string_view word) { return std::ranges::count(presets(), wor
 
 Usage no_such_word(std::string_view what, const Option& option, std::string_view text, const Legal& legal) {
     std::vector<Mend> mends;
-    for (const std::string& word : choose_nearest(text, legal)) {
+    for (std::size_t i = 0; i < 2 && option.place.begin == 0 && stream::File::is_regular(option.text().c_str()); ++i) {
+        mends.push_back({{{option.place, 0, {std::string(legal[i])}}}}); // the argument was forgotten
+    }
+    for (const std::string& word : mends.empty() ? choose_nearest(text, legal) : Words()) {
         std::string argument = option.text();
         argument.replace(argument.find(text), text.size(), word);
         mends.push_back({{{option.place, 1, {argument}}}});
@@ -325,104 +340,6 @@ Usage no_such_method(RepresentationId from, RepresentationId to, const Option& o
     return Usage(said).with(std::move(mends));
 }
 
-namespace {
-
-/// A multiple of pi, such as -pi/2, 2*pi/3 and np.pi, as a number; other texts as they are.
-std::string without_pi(const std::string& text) {
-    const auto at = lower(text).find("pi");
-    double before = 1.0;
-    double after = 1.0;
-    const auto is_factor = [](std::string_view part, double& number) {
-        return part.empty() || stream::read_number(part, number) == stream::NumberError::none;
-    };
-    if (at == std::string::npos) {
-        return text;
-    }
-    std::string first = text.substr(0, at);
-    for (const std::string_view library : {"np.", "math.", "M_", "*"}) {
-        first.resize(first.size() - (first.ends_with(library) ? library.size() : 0));
-    }
-    const bool is_bare = first == "-" || first == "+";
-    const std::string last = text.substr(at + 2);
-    const bool has_last = last.size() > 1 && (last[0] == '/' || last[0] == '*');
-    if (!is_factor(is_bare ? first + "1" : first, before) || (!last.empty() && !has_last) ||
-        !is_factor(has_last ? last.substr(1) : last, after)) {
-        return text;
-    }
-    constexpr long double pi = 3.14159265358979323846264338327950288L;
-    return fmt::to_string(static_cast<double>(last.starts_with('/') ? pi * before / after : pi * before * after));
-}
-
-} // namespace
-
-std::vector<Mend> with_numbers_for_pi(const OptionSet& options) {
-    Mend mend;
-    for (std::size_t at = options.begin; at < options.words.size(); ++at) {
-        const std::string& word = options.words[at];
-        const bool is_argument = std::ranges::any_of(options.all(), [at](const Option* option) {
-            return option->given() && option->takes_argument() && option->place.word == at;
-        });
-        if (is_argument) {
-            continue;
-        }
-        std::string made;
-        for (std::size_t i = 0; i < word.size();) {
-            const std::size_t end = std::min(word.find_first_of(" ,;[](){}:=", i), word.size());
-            made += end > i ? without_pi(word.substr(i, end - i)) : word.substr(i, 1);
-            i = std::max(end, i + 1);
-        }
-        if (made != word) {
-            mend.edits.push_back({{at}, 1, {made}});
-        }
-    }
-    return mend.edits.empty() ? std::vector<Mend>() : std::vector<Mend>{mend};
-}
-
-std::vector<std::vector<Mend>> meant_by_values(const OptionSet& options, const stream::RowNumbers& numbers) {
-    const std::size_t expected = numbers.names.size();
-    const auto& values = options.values;
-    const auto words_without = [text = joined(values, " ")](std::string_view separators) {
-        std::string words = text;
-        std::ranges::replace_if(
-            words, [separators](char c) { return separators.find(c) != std::string_view::npos; }, ' ');
-        return words_in(words);
-    };
-    std::vector<std::vector<Mend>> mends;
-    if (values.size() > 1 && values[0].find(',') != std::string::npos) { // a row of several words
-        mends.push_back({options.with_values({joined(values, ",")})});
-    }
-    auto points = words_without(";");
-    std::ranges::for_each(points, [](std::string& word) { std::ranges::replace(word, ',', '.'); });
-    if (points.size() == expected && std::ranges::all_of(points, stream::is_number)) { // decimal commas
-        mends.push_back({options.with_values(points)});
-    }
-    const auto texts = words_without(",;[](){}p");
-    const bool is_alone = numbers.attitude && numbers.attitude->size() == expected;
-    if (!is_alone || texts.size() < expected + 3 || !std::ranges::all_of(texts, stream::is_number)) {
-        return mends;
-    }
-    if (numbers.attitude->name == RepresentationId::dcm) {
-        mends.push_back({{{{{Edit::at_end}, 0, {"--columns", "1-3,5-7,9-11"}}}}});
-        return mends;
-    }
-    const bool is_pose_of_ur = lower(values[0]).starts_with("p[") && texts.size() == 6;
-    const auto places = numbers.attitude->name == RepresentationId::quat
-                            ? unit_quaternions({texts.begin(), texts.end()})
-                        : is_pose_of_ur ? std::vector<std::size_t>{3}
-                                        : std::vector<std::size_t>();
-    if (places.size() == 1) {
-        const auto begin = texts.begin() + static_cast<std::ptrdiff_t>(places[0]);
-        const std::vector<std::string> found(begin, begin + static_cast<std::ptrdiff_t>(expected));
-        mends.push_back({options.with_values(found)});
-        const Option* const from = options.find("--from");
-        if (has_open_order(*numbers.attitude) && from != nullptr) {
-            mends.back().push_back(options.with_values(found));
-            mends.back().back().edits.push_back(OptionSet::setting(*from, "quat:xyzw"));
-        }
-    }
-    return mends;
-}
-
 std::vector<Mend> with_specs_of_others(const OptionSet& options) {
     std::vector<const Option*> missing;
     for (const char* name : {"--from", "--to"}) {
@@ -449,6 +366,49 @@ std::vector<Mend> with_specs_of_others(const OptionSet& options) {
     return mend.edits.empty() ? std::vector<Mend>() : std::vector<Mend>{mend};
 }
 
+std::vector<Mend> with_second_options(const OptionSet& options) {
+    constexpr std::array<std::pair<const char*, const char*>, 4> seconds{{{"--columns", "--reference-columns"},
+                                                                          {"--from", "--to"},
+                                                                          {"--key", "--reference-key"},
+                                                                          {"--time-unit", "--reference-time-unit"}}};
+    Mend mend;
+    for (const auto& [name, of_reference] : seconds) {
+        const Option* const option = options.find(name);
+        const Option* const second = options.find(of_reference);
+        if (option != nullptr && option->texts.size() == 2 && second != nullptr && !second->given() &&
+            options.find("--reference-columns") != nullptr &&
+            (option->name() != "--from" || is_spec(option->texts[1]))) {
+            Edit edit = OptionSet::changing(*option, "");
+            edit.by = {std::string(second->name()), option->texts[1]};
+            mend.edits.push_back(edit);
+        }
+    }
+    return mend.edits.empty() ? std::vector<Mend>() : std::vector<Mend>{mend};
+}
+
+std::vector<Mend> with_specs_of_words(const OptionSet& options, const std::vector<WordEnd>& words) {
+    std::vector<const char*> names{"--from", options.find("--by") != nullptr ? "--by" : "--to"};
+    if (options.find("--by") == nullptr && options.find("--within") == nullptr) {
+        names.pop_back(); // one attitude is read
+    }
+    Mend mend;
+    for (std::size_t i = 0; i < words.size() && i < names.size(); ++i) {
+        const std::string& word = options.words[words[i].word];
+        auto parts = words_in(word);
+        const Option* const option = options.find(names[i]);
+        if (parts.size() < 2 || option == nullptr || option->given()) {
+            return {};
+        }
+        parts[0].resize(parts[0].size() - (parts[0].ends_with(':') ? 1 : 0));
+        if (!is_spec(parts[0]) || !std::all_of(parts.begin() + 1, parts.end(), is_value)) {
+            return {};
+        }
+        parts.insert(parts.begin(), std::string(option->name()));
+        mend.edits.push_back({words[i], 1, parts});
+    }
+    return words.empty() || words.size() > names.size() ? std::vector<Mend>() : std::vector<Mend>{mend};
+}
+
 std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at) {
     const std::string& word = options.words[at];
     const Replaced replaced(options, at);
@@ -457,6 +417,9 @@ std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at) {
         const auto numbers = words_in(made);
         return std::ranges::all_of(numbers, stream::is_number) ? std::vector<Mend>{{{{{at}, 1, {made}}}}}
                                                                : std::vector<Mend>();
+    }
+    if (auto specs = with_specs_of_words(options, {{at, 0}}); !specs.empty()) {
+        return specs;
     }
     const Option* const from = options.find("--from");
     const Option* const to = options.find("--to");

@@ -110,6 +110,7 @@ private:
 struct LinePart {
     std::size_t begin;
     std::string text;
+    std::string label{}; ///< up to the next
 };
 
 /// All of a line, and what is in its brackets, perhaps with a name before.
@@ -128,6 +129,17 @@ std::vector<LinePart> parts_of_line(const std::string& line) {
                 --begin;
             }
             parts.push_back({begin, line.substr(begin, i + 1 - begin)});
+        }
+    }
+    for (std::size_t end = line.size(), i = line.size(); i-- > 0 && parts.size() < most_parts;) {
+        if (line[i] == ':' || line[i] == '=') {
+            std::size_t begin = i;
+            while (begin > 0 && (is_letter(line[begin - 1]) || is_digit(line[begin - 1]))) {
+                --begin;
+            }
+            const std::string text = line.substr(begin, end - begin);
+            parts.push_back({begin, text.substr(0, text.find_last_not_of(" ,;") + 1), line.substr(begin, i - begin)});
+            end = begin;
         }
     }
     return parts;
@@ -201,7 +213,11 @@ private:
                 return std::nullopt;
             }
             // in the middle of a line only a pose tells what it is
-            const bool is_known = part.text == line || count > numbers_->names.size();
+            const auto named = parse_spec(lower(part.label));
+            const auto* const spec = std::get_if<Spec>(&named);
+            const bool is_named = spec != nullptr && numbers_->attitude && spec->name == numbers_->attitude->name;
+            const bool is_known =
+                part.text == line || is_named || (part.label.empty() && count > numbers_->names.size());
             if (values && !values->has_other_label && is_known) {
                 std::ranges::replace(values->row, ' ', ',');
                 return values->row;

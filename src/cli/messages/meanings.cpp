@@ -52,7 +52,7 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"pretty", "--format pretty", ""},
     {"silent nowarnings", "--diagnostics off", ""},
     {"showfailures failures verbose", "--diagnostics rows", "compare has --worst N, and --format csv with every pair"},
-    {"sequence seq order axesorder rotationorder eulerorder eulersequence", ":ARG", "a sequence is part of the SPEC: euler:ZYX about the body's own axes, euler:zyx about the fixed axes"},
+    {"sequence seq s order axesorder rotationorder eulerorder eulersequence", ":ARG", "a sequence is part of the SPEC: euler:ZYX about the body's own axes, euler:zyx about the fixed axes"},
     {"outputformat oformat", "-t ARG | --format ARG", "--format is that of the rows; the representation is -t"},
     {"in infile gyro imu", "-i ARG | -f ARG", ""},
     {"out outfile", "-t ARG | -o ARG", ""},

@@ -83,6 +83,14 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 /// What a word of the command line may mean that is neither an option nor a number nor a FILE.
 [[nodiscard]] std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at);
 
+/// The command line whose options that are given twice are, the second time, those of REFERENCE; nothing if there are
+/// none.
+[[nodiscard]] std::vector<Mend> with_second_options(const OptionSet& options);
+
+/// The command line with the SPECs that stand before numbers in words, as in "quat: 1 0 0 0", as options; nothing if
+/// one of the words is no such text.
+[[nodiscard]] std::vector<Mend> with_specs_of_words(const OptionSet& options, const std::vector<WordEnd>& words);
+
 /// The command line with numbers for its multiples of pi; nothing if it has none.
 [[nodiscard]] std::vector<Mend> with_numbers_for_pi(const OptionSet& options);
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 #include <variant>
@@ -36,40 +36,65 @@ struct Row : stream::HeaderLine {
     bool has_numbers; ///< it is a row, and more than half of its fields are numbers
 };
 
+std::string replaced(std::string text, char from, char to) {
+    std::ranges::replace(text, from, to);
+    return text;
+}
+
 /// A shell filter, which reads stdin, and its effect on a text.
 struct Filter {
     std::string_view command;
-    char from = '\0'; ///< the character that it replaces
-    char to = '\0';   ///< '\0': it takes the character out
-
-    [[nodiscard]] std::string of(std::string_view text) const {
-        std::string made(text);
-        if (to == '\0') {
-            std::erase(made, from);
-        } else {
-            std::ranges::replace(made, from, to);
-        }
-        return made;
-    }
+    std::string (*of)(const std::string& text);
 };
-constexpr auto filters =
-    std::to_array<Filter>({{"tr , .", ',', '.'}, {R"(tr , '\t')", ',', '\t'}, {"tr -d '\"'", '"'}});
+constexpr auto filters = std::to_array<Filter>({
+    {"tr , .",
+     [](const std::string& text) { return text.find('.') == std::string::npos ? replaced(text, ',', '.') : text; }},
+    {R"(tr , '\t')", [](const std::string& text) { return replaced(text, ',', '\t'); }},
+    {"tr -d '\"'",
+     [](const std::string& text) {
+         std::string made = text;
+         std::erase(made, '"');
+         return made;
+     }},
+    {"sed -E 's/^ *- *[[]?//; s/]//g'", // a list of YAML
+     [](const std::string& text) {
+         return filtered_lines(text, [](std::size_t, const std::string& line) {
+             const std::size_t mark = std::min(line.find_first_not_of(' '), line.size());
+             const std::size_t begin = line.find_first_not_of(' ', mark + 1);
+             std::string made = line;
+             if (line.compare(mark, 1, "-") == 0) {
+                 made.erase(
+                     0, std::min(begin == line.npos ? line.size() : begin + (line[begin] == '[' ? 1 : 0), line.size()));
+             }
+             std::erase(made, ']');
+             return made;
+         });
+     }},
+    {"cut -d '*' -f 1", // the check sum of NMEA
+     [](const std::string& text) {
+         return filtered_lines(text,
+                               [](std::size_t, const std::string& line) { return line.substr(0, line.find('*')); });
+     }},
+});
 
 bool is_zero(std::string_view field) {
     double number = 1.0;
     return stream::read_number(field, number) == stream::NumberError::none && number == 0.0;
 }
 
-/// Names that stand twice, each with a suffix that both of its kind share: those of two bodies.
+/// Names of which some stand twice, each with a suffix that those between two repetitions share: those of two bodies,
+/// or of a rotation and a position.
 std::vector<std::string> told_apart(std::vector<std::string> names) {
-    std::map<std::string, std::vector<std::size_t>> places;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        places[names[i]].push_back(i);
-    }
-    for (const auto& [name, same] : places) {
-        for (std::size_t k = 0; k < same.size() && same.size() == 2; ++k) {
-            names[same[k]] += k == 0 ? "\x01" : "\x02";
+    std::vector<std::string> run; // since a name came again
+    char mark = '\x01';
+    const std::set<std::string> distinct(names.begin(), names.end());
+    for (std::string& name : names) {
+        if (std::ranges::count(run, name) > 0) {
+            run.clear();
+            ++mark;
         }
+        run.push_back(name);
+        name += distinct.size() < names.size() && !name.empty() ? std::string(1, mark) : "";
     }
     return names;
 }
@@ -112,17 +137,20 @@ public:
         if (offer_sets()) {
             return std::move(mends_);
         }
-        const auto above = spec_ ? header_among(std::span(rows_).first(at_), *spec_) : std::nullopt;
-        if (above && above->names.size() == rows_[at_].fields.size() && !rows_[at_].has_numbers && !has_answers) {
+        const auto above = header_above(at_);
+        const auto has_digit = [](std::string_view field) { return field.find_first_of("0123456789") != field.npos; };
+        if (above && above->names.size() == rows_[at_].fields.size() && !has_answers &&
+            std::ranges::none_of(above->known.of(rows_[at_].names()), has_digit)) {
             return {}; // a row of its header whose numbers are missing: what passes over both would lose names
         }
-        const auto first = std::ranges::find_if(rows_, &Row::has_numbers);
+        const auto first = first_row();
         offer_named_kinds();
         if (first != rows_.end()) {
             offer_every_second(static_cast<std::size_t>(first - rows_.begin()));
         }
         if (has_answers && first != rows_.end()) { // a row among others is what it is
             offer_kind_of_row(*first);
+            offer_rows_before();
             return std::move(mends_);
         }
         if (first != rows_.end() && !offer_columns(static_cast<std::size_t>(first - rows_.begin()))) {
@@ -138,7 +166,7 @@ public:
         }
         const auto mark = line.substr(0, line.find_first_not_of("/%!*;|"));
         offer({setting("--comment", mark.empty() ? "COMMENT" : std::string(mark))});
-        offer_matrices();
+        offer_joined_lines();
         if (!is_guess_) {
             offer_kinds();
         }
@@ -151,7 +179,8 @@ public:
                 const auto is_alike = [&](const Row& row) {
                     return row.has_numbers && row.fields.size() == rows_[i].fields.size();
                 };
-                if (std::any_of(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(i), is_alike)) {
+                const auto before = rows_.begin() + static_cast<std::ptrdiff_t>(i);
+                if (std::any_of(rows_.begin(), before, is_alike) && first < before) {
                     break;
                 }
                 offer_block(i - 1, i); // with its header
@@ -177,6 +206,31 @@ private:
         }
     }
 
+    /// The first with numbers that others of its width follow, or else the first.
+    [[nodiscard]] std::vector<Row>::const_iterator first_row() const {
+        const auto follows = [](const Row& row, const Row& next) {
+            return row.has_numbers && next.has_numbers && row.fields.size() == next.fields.size();
+        };
+        const auto first = std::ranges::adjacent_find(rows_, follows);
+        return first == rows_.end() ? std::ranges::find_if(rows_, &Row::has_numbers) : first;
+    }
+    [[nodiscard]] std::optional<Header> header_above(std::size_t row) const {
+        const auto above = std::span(rows_).first(row);
+        const std::size_t size = row < rows_.size() ? rows_[row].fields.size() : 0;
+        if (const auto lines = above.last(std::min(size, row)); size > 1 && lines.size() == size) {
+            std::vector<std::string> names; // of STAR files, a line each: _rlnAngleRot #3
+            for (std::size_t i = 0; i < size; ++i) {
+                const auto& fields = lines[i].fields;
+                const bool is_name =
+                    fields.size() == 2 && fields[0].starts_with('_') && fields[1] == fmt::format("#{}", i + 1);
+                names.emplace_back(is_name ? fields[0] : "");
+            }
+            if (const auto known = spec_ ? find_names(*spec_, names) : std::nullopt) {
+                return Header{names, *known};
+            }
+        }
+        return spec_ ? header_among(above, *spec_) : std::nullopt;
+    }
     /// Those offered last are as good as each other.
     void join_groups(std::size_t first) {
         for (; mends_.size() > first + 1; mends_.pop_back()) {
@@ -191,7 +245,7 @@ private:
         for (std::size_t i = at_ + 1; i-- > at_ - std::min(at_, most_above);) {
             const auto names = rows_[i].has_numbers ? std::vector<std::string>() : rows_[i].names();
             const auto sets = sets_of_row(parts_of(input_.numbers), told_apart(names), "").rows;
-            if (sets.size() < 2 || !input_.columns.empty()) {
+            if (sets.size() < 2 || !input_.columns.empty()) { // offer_columns() takes a single one
                 continue;
             }
             const std::size_t before = mends_.size();
@@ -209,7 +263,7 @@ private:
     bool offer_columns(std::size_t row) {
         const auto& fields = rows_[row].fields;
         const bool is_alone = spec_ && spec_->size() == count_;
-        if (const auto above = is_alone ? header_among(std::span(rows_).first(row), *spec_) : std::nullopt) {
+        if (const auto above = is_alone ? header_above(row) : std::nullopt) {
             const bool is_from_one = above->known.of(above->names)[0].find('1') != std::string::npos;
             offer_in_both_orders(setting("--columns", list_of_columns(above->known.places, above->names)),
                                  above->known.decides || !is_from_one);
@@ -235,7 +289,7 @@ private:
         }
         if (rows_.size() > first + 2) {
             const std::string pipe = fmt::format("sed -n '{},${{p;n;}}'", first + 1);
-            const auto above = spec_ ? header_among(std::span(rows_).first(first), *spec_) : std::nullopt;
+            const auto above = header_above(first);
             if (above && above->names.size() == rows_[first].fields.size()) {
                 offer({setting("--columns", list_of_columns(above->known.places))}, pipe, made);
             }
@@ -261,7 +315,7 @@ private:
             offer({setting("--columns", "1-3,5-7,9-11")}, pipe, text);
         }
         const auto names = row > 0 ? rows_[row - 1].names() : std::vector<std::string>();
-        const auto above = is_alone ? header_among(std::span(rows_).first(row), *spec_) : std::nullopt;
+        const auto above = is_alone ? header_above(row) : std::nullopt;
         const std::size_t end = std::min<std::size_t>(fields, 20); // of fields that may be one
         for (std::size_t i = 0; is_alone && spec_->name == RepresentationId::quat && i + count_ <= end; ++i) {
             auto named = above                    ? std::optional(above->known)
@@ -278,9 +332,9 @@ private:
     }
     /// Offers rows that have more fields than their header: dates with blanks.
     void offer_wider_rows(std::size_t first) {
-        const auto above = header_among(std::span(rows_).first(first), *spec_);
+        const auto above = header_above(first);
         const auto& fields = rows_[first].fields;
-        if (input_.columns.empty() && above && above->names.size() < fields.size() &&
+        if ((input_.columns.empty() || input_.columns.has_names()) && above && above->names.size() < fields.size() &&
             unit_quaternions(fields).size() == 1) {
             const auto begin = static_cast<std::size_t>(rows_[first].line.text.data() - text_.data());
             offer_choices(first, fmt::format("tail -n +{}", first + 1), std::string(text_.substr(begin)));
@@ -322,11 +376,9 @@ private:
         }
         for (const Filter& filter : filters) {
             const std::string command(filter.command);
-            if (text.find(filter.from) == std::string::npos ||
-                (filter.to == '.' && text.find('.') != std::string::npos)) {
-                continue;
+            if (const std::string made = filter.of(text); made != text) {
+                offer_made(pipe.empty() ? command : pipe, made, pipe.empty() ? "" : " | " + command);
             }
-            offer_made(pipe.empty() ? command : pipe, filter.of(text), pipe.empty() ? "" : " | " + command);
         }
     }
 
@@ -350,15 +402,16 @@ private:
         }
     }
 
-    /// Offers matrices, perhaps of 3x4 or 4x4, of which each row is a line.
-    void offer_matrices() {
+    /// Offers rows of which each is several lines: matrices, perhaps of 3x4 or 4x4; and one of single numbers.
+    void offer_joined_lines() {
         const auto lines = filtered(rows_, [](const Row& row) { return !stream::is_blank(row.line.text); });
         const std::size_t width = lines.empty() ? 0 : lines[0].fields.size();
         const auto is_like_first = [&](const Row& row) { return row.has_numbers && row.fields.size() == width; };
+        const bool is_matrix = spec_ && spec_->name == RepresentationId::dcm && width > 1;
         const bool is_whole = width == 4 && lines.size() > 3 && lines[3].fields.size() == 4 &&
                               is_zero(lines[3].fields[0]) && is_zero(lines[3].fields[1]);
-        const std::size_t height = is_whole ? 4 : 3;
-        if (!spec_ || spec_->name != RepresentationId::dcm || (width != 3 && width != 4) ||
+        const std::size_t height = !is_matrix ? count_ : is_whole ? 4 : 3;
+        if (!spec_ || !(is_matrix ? width == 3 || width == 4 : width == 1 && lines.size() == height) ||
             lines.size() % height != 0 || !std::ranges::all_of(lines, is_like_first)) {
             return;
         }
@@ -425,6 +478,17 @@ private:
             offer_kind(std::string(row.fields[0]), {});
         }
     }
+    /// Offers the rows before an end that has no numbers.
+    void offer_rows_before() {
+        const std::size_t size = static_cast<std::size_t>(rows_[at_].line.text.data() - text_.data());
+        const bool is_end = std::none_of(rows_.begin() + static_cast<std::ptrdiff_t>(at_), rows_.end(),
+                                         [](const Row& row) { return row.has_numbers; });
+        if (is_end && !is_cut()) {
+            offer({}, fmt::format("head -n {}", at_), std::string(text_.substr(0, size)));
+        }
+    }
+    /// Whether more of the input may follow.
+    [[nodiscard]] bool is_cut() const { return text_.size() + 1024 > most_first_bytes; }
     /// Offers the rows of a kind whose names a row of another one ends with, as FMT of ArduPilot's logs.
     void offer_named_kinds() {
         const auto kinds = spec_ ? kinds_ : std::vector<std::string>();
@@ -450,9 +514,8 @@ private:
         if (spec_ && spec_->size() == count_ && command_->line->find("--columns") != nullptr) {
             const std::size_t before = mends_.size();
             const auto lines = mapped(rows_, [](const Row& row) { return row.line.text; });
-            const bool is_cut = text_.size() + 1024 > most_first_bytes;
             const bool is_unix = text_.find('\r') == std::string_view::npos;
-            for (const auto& each : named_lines(is_unix ? lines : std::vector<std::string_view>(), *spec_, is_cut)) {
+            for (const auto& each : named_lines(is_unix ? lines : std::vector<std::string_view>(), *spec_, is_cut())) {
                 offer({setting("--columns", each.columns)}, each.command, each.text, each.others);
             }
             join_groups(before);
@@ -479,7 +542,8 @@ private:
         }
     }
 
-    /// Offers the lines that alone are an attitude, as VALUEs are, if no other line may be one or says what they are.
+    /// Offers the lines that alone are an attitude, as VALUEs are, if no other line may be one or says what they are;
+    /// of matrices with names, the first two.
     void offer_one_attitude() {
         constexpr std::size_t most_lines = 200;
         constexpr std::size_t longest = 16'384;
@@ -490,40 +554,44 @@ private:
         }
         const bool is_matrix = spec_->name == RepresentationId::dcm;
         const std::initializer_list<std::size_t> heights = {5, 4, 3, 1}; // of a matrix and its name, or of any attitude
-        std::size_t first = 0;
-        std::size_t size = 0;
-        std::string text;
+        struct Found {
+            std::size_t first;
+            std::size_t size;
+            std::string text;
+        };
+        std::vector<Found> found;
+        const auto has_name = [](const Found& lines) { return lines.size == 5; };
         for (std::size_t i = 0; i < rows_.size(); ++i) {
+            std::string text;
             const auto holds = [&](std::size_t height) {
                 if ((height > 1 && !is_matrix) || i + height > rows_.size()) {
                     return false;
                 }
                 const std::string_view last = rows_[i + height - 1].line.text;
-                const std::string lines(rows_[i].line.text.data(), last.data() + last.size());
+                text = {rows_[i].line.text.data(), last.data() + last.size()};
                 bool means_other = false;
-                const auto values = attitude_in(lines, input_.numbers, from->text(), means_other);
-                const bool is_one = values && (is_matrix || !values->has_other_label); // a matrix proves itself
-                if (is_one) {
-                    text = lines;
-                    text += '\n';
-                }
-                return is_one;
+                const auto values = attitude_in(text, input_.numbers, from->text(), means_other);
+                return values && (is_matrix || !values->has_other_label); // a matrix proves itself
             };
             const auto* const height = std::ranges::find_if(heights, holds);
-            if (height != heights.end() && size == 0) {
-                first = i;
-                size = *height;
-                i += size - 1;
-            } else if (height != heights.end() || may_mean_attitude(rows_[i].line.text)) {
+            if (height != heights.end()) {
+                found.push_back({i, *height, text + "\n"});
+                i += *height - 1;
+            } else if (may_mean_attitude(rows_[i].line.text)) {
                 return;
             }
         }
-        if (size > 0) {
-            offer({},
-                  size == 1 ? fmt::format("sed -n {}p", first + 1)
-                            : fmt::format("sed -n {},{}p", first + 1, first + size),
-                  text);
+        if (found.size() > 1 && !std::ranges::all_of(found, has_name)) {
+            return;
         }
+        const std::size_t before = mends_.size();
+        for (const Found& lines : std::span(found).first(std::min<std::size_t>(found.size(), 2))) {
+            offer({},
+                  lines.size == 1 ? fmt::format("sed -n {}p", lines.first + 1)
+                                  : fmt::format("sed -n {},{}p", lines.first + 1, lines.first + lines.size),
+                  lines.text);
+        }
+        join_groups(before);
     }
     /// Whether a line has the numbers of an attitude, or words that say something of others.
     [[nodiscard]] bool may_mean_attitude(std::string_view line) const {
@@ -557,136 +625,13 @@ private:
     std::vector<std::vector<Mend>> mends_{};
 };
 
-/// The SPECs of rows whose width is that of no representation.
-// NOLINTNEXTLINE(cert-err58-cpp): without memory nothing works
-const std::vector<std::string> any_quaternion{"quat", "quat:xyzw"};
-
-/// The columns of a SPEC; none if the text is no SPEC.
-std::vector<std::string> names_of_spec(const std::string& text) {
-    const auto parsed = parse_spec(text);
-    const auto* const spec = std::get_if<Spec>(&parsed);
-    return spec == nullptr ? std::vector<std::string>() : operations::names_of(*spec);
-}
-
-std::vector<double> numbers_in(std::string text) {
-    std::ranges::replace_if(
-        text, [](char c) { return std::string_view(",;[](){}\t\n").find(c) != std::string_view::npos; }, ' ');
-    std::vector<double> numbers;
-    for (const std::string& word : words_in(text)) {
-        double number = 0.0;
-        if (stream::read_number(word, number) == stream::NumberError::none) {
-            numbers.push_back(number);
-        }
-    }
-    return numbers;
-}
-
-constexpr auto possible_specs =
-    std::to_array<std::string_view>({"quat", "quat:xyzw", "rpy", "rotvec", "axis-angle", "dcm", "dcm:passive", "6d",
-                                     "5d", "euler:ZYX", "cayley", "mrp"});
-
-/// The SPECs that have as many numbers, which `said` names with their orders; all where none has.
-std::vector<std::string> specs_of_numbers(const std::vector<double>& numbers, std::string& said) {
-    constexpr double most_radians = 6.3;
-    const bool is_large = std::ranges::any_of(numbers, [](double number) { return std::abs(number) > most_radians; });
-    std::vector<std::string> specs;
-    std::vector<std::string> told;
-    for (const std::string_view text : possible_specs) {
-        Spec spec = std::get<Spec>(parse_spec(text));
-        if (spec.size() == numbers.size()) {
-            spec = is_large ? spec.in_degrees() : spec;
-            specs.push_back(spec.text());
-            told.push_back(fmt::format("{} ({})", spec.text(), fmt::join(operations::names_of(spec), " ")));
-        }
-    }
-    said += told.empty() ? "" : fmt::format("; {} are {}", counted(numbers.size(), "number"), joined(told, ", "));
-    return specs.empty() ? std::vector<std::string>(possible_specs.begin(), possible_specs.end()) : specs;
-}
-
-/// The SPECs that a file's names or numbers are; `said` names its columns.
-std::vector<std::string> specs_of_file(const std::string& name, const std::string& bytes, std::string& said) {
-    if (bytes.empty()) {
-        return {};
-    }
-    constexpr std::array<const char*, 3> known{"quat", "dcm", "rpy"};
-    stream::InputOptions input;
-    input.columns_of = [&known](const std::vector<std::string>& names) {
-        return stream::ChosenColumns{.are_known = std::ranges::any_of(known, [&names](const char* spec) {
-                                         return find_names(std::get<Spec>(parse_spec(spec)), names).has_value();
-                                     })};
-    };
-    stream::Preamble preamble(input);
-    stream::IoBlock block;
-    block.text = stream::without_byte_order_mark(bytes);
-    stream::Output nowhere;
-    preamble.read(block, true, nowhere);
-    const Row row(preamble.has_row() ? stream::next_line(block.text) : stream::Line(), input);
-    if (!row.has_numbers) {
-        const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
-        const std::string_view begin = std::string_view(bytes).substr(first, 2);
-        const bool is_json = begin.starts_with('{') || (begin.size() == 2 && begin[0] == '[' && begin[1] < 'A');
-        said += fmt::format("; {} {}", name, is_json ? "looks like JSON" : "does not begin with a row of numbers");
-        return {possible_specs.begin(), possible_specs.end()}; // the whole may be one attitude
-    }
-    const std::vector<std::string>& header = preamble.layout().names;
-    const auto names = header.empty() ? std::vector<std::string>(row.fields.begin(), row.fields.end()) : header;
-    said += fmt::format("; {} has {}: {}", name, counted(row.fields.size(), "column"), numbered(names));
-    std::vector<std::string> specs;
-    for (const char* spec : known) {
-        if (find_names(std::get<Spec>(parse_spec(spec)), names)) {
-            specs.emplace_back(spec);
-        }
-    }
-    if (specs.empty() && header.empty()) { // a matrix may be of several lines
-        const std::size_t size = row.fields.size();
-        specs = size == 3                               ? std::vector<std::string>{"dcm", "rpy", "rotvec"}
-                : size == 4                             ? std::vector<std::string>{"quat", "quat:xyzw", "dcm"}
-                : size == 9 || size == 12 || size == 16 ? std::vector<std::string>{"dcm"}
-                                                        : any_quaternion;
-    }
-    return specs;
-}
-
-/// Of a file of NumPy's save() with rows of doubles (numpy.lib.format, version 1), what is behind its header.
-std::vector<std::vector<Mend>> doubles_of_numpy(const RowsCommand& command, std::string_view bytes) {
-    constexpr std::size_t prefix = 10; // \x93NUMPY, the version, and the size of the header
-    const Option* const format = command.line->find("--input-format");
-    if (!bytes.starts_with("\x93NUMPY\x01") || bytes.size() < prefix || format == nullptr || format->given()) {
-        return {};
-    }
-    const auto byte = [bytes](std::size_t at) { return std::size_t{static_cast<unsigned char>(bytes[at])}; };
-    const std::size_t begin = prefix + byte(8) + 256 * byte(9);
-    const std::string_view header = bytes.substr(0, begin);
-    const std::string shape = fmt::format(", {})", command.options.input.numbers.names.size());
-    const bool has_rows = header.find("'descr': '<f8'") != std::string_view::npos &&
-                          header.find("'fortran_order': False") != std::string_view::npos &&
-                          header.find(shape) != std::string_view::npos;
-    if (!has_rows || bytes.size() <= begin) {
-        return {};
-    }
-    const std::string_view rows = bytes.substr(begin);
-    const std::size_t whole = rows.size() - rows.size() % (8 * command.options.input.numbers.names.size());
-    const auto reading = [&](const std::vector<Edit>& more) {
-        Mend mend{{command.line->setting(*format, "f64")}};
-        mend.edits.insert(mend.edits.end(), more.begin(), more.end());
-        return command.line->piped(std::move(mend), fmt::format("tail -c +{}", begin + 1),
-                                   std::string(rows.substr(0, whole)));
-    };
-    const auto& spec = command.options.input.numbers.attitude;
-    std::vector<Mend> mends{reading({})};
-    if (spec && has_open_order(*spec)) {
-        mends.push_back(reading({command.line->setting(*command.line->find("--from"), "quat:xyzw")})); // SciPy's
-    }
-    return {mends};
-}
-
 } // namespace
 
 std::vector<std::vector<Mend>> row_mends(const RowsCommand& command, std::string_view beginning, std::size_t line,
                                          bool is_guess, bool has_answers) {
     const bool is_text = beginning.find('\0') == std::string_view::npos;
     return is_text ? UnreadRows(command, beginning, line, is_guess).mends(has_answers)
-                   : doubles_of_numpy(command, beginning);
+                   : numpy_mends(command, beginning);
 }
 
 std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::string_view text,
@@ -710,49 +655,6 @@ std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::
     return found.places.empty()
                ? std::vector<std::vector<Mend>>()
                : std::vector<std::vector<Mend>>{{{{OptionSet::setting(*option, list_of_columns(found.places))}}}};
-}
-
-Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
-    const Option* const from = options.find("--from");
-    const std::string given = options.files.empty() ? options.input.text() : options.files[0];
-    const std::string path = given.empty() && options.values.empty() ? stream::File::name_of_input() : given;
-    const bool is_identify = options.command_name() == "identify" && !from->given();
-    bool lacks_from = is_identify || std::string_view(error.what()).starts_with("--from");
-    std::vector<std::string> specs;
-    std::string said = error.what();
-    said += is_identify ? ": identify needs rows that also have the attitude in a known convention" : "";
-    if (!lacks_from) {
-        const std::string& own = from != nullptr ? from->text() : "";
-        const bool is_quat = find_names(std::get<Spec>(parse_spec("quat")), names_of_spec(own)).has_value();
-        specs = options.find("--by") != nullptr ? std::vector<std::string>{own}
-                : from != nullptr && is_quat    ? std::vector<std::string>{"rpy:deg", "dcm"}
-                                                : std::vector<std::string>{"quat"};
-    } else if (!options.values.empty()) {
-        specs = specs_of_numbers(numbers_in(joined(options.values, " ")), said);
-    } else if (const auto bytes = path.empty() ? std::optional(stream::File::lines_of_pipe()) : first_bytes(path)) {
-        specs = specs_of_file(path.empty() ? "the input" : quoted(path), *bytes, said);
-        const auto dot = path.rfind('.');
-        const Project* const project = dot == std::string::npos ? nullptr : find_project(path.substr(dot + 1));
-        if (project != nullptr && project->is_spec() && specs.size() != 1) { // scan.ctf
-            specs.insert(specs.begin(), std::string(project->text));
-        }
-    }
-    const bool has_known = is_identify && specs == any_quaternion; // rows are wide enough for a known attitude
-    if (has_known) {
-        specs = {"quat"};
-        lacks_from = false;
-    }
-    auto mends = messages::with_specs_of_others(options);
-    for (const std::string& spec : mends.empty() ? specs : std::vector<std::string>()) {
-        const std::size_t place = lacks_from || from == nullptr ? options.begin : from->place.word + 1;
-        mends.push_back({{{{place}, 0, {lacks_from ? "-f" : "-t", spec}}}});
-        if (is_identify && !has_known) { // how the numbers are read is what is asked
-            mends.back().edits.push_back({{options.begin - 1}});
-        }
-    }
-    Usage usage = Usage(said).with(std::move(mends), said == error.what() ? "; see rotconv --help" : "");
-    usage.guesses_spec = lacks_from;
-    return usage;
 }
 
 } // namespace rotconv::cli

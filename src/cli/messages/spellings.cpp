@@ -150,10 +150,17 @@ Words meant(std::string_view word, const Legal& legal) {
         return texts;
     }
     texts = is_spec(bare) ? Words{bare} : sequences_in(bare);
-    for (const std::string side : {"to", "from"}) { // --to-euler
+    for (const std::string side : {"to", "from", "as"}) { // --to-euler, and those of SciPy
         const bool has_side = bare.starts_with(side + "-") || bare.starts_with(side + "_");
-        for (const std::string& spec : has_side ? meant(bare.substr(side.size() + 1), {}) : Words()) {
-            texts.push_back(fmt::format("-{} {}", side[0], spec));
+        const std::string name = has_side ? bare.substr(side.size() + 1) : "";
+        auto specs = has_side ? meant(name, {}) : Words();
+        if (name == "euler") { // --as-euler xyz
+            specs.insert(specs.begin(), "euler:ARG");
+        } else if (name == "quat" && side != "to") {
+            specs.insert(specs.begin(), "quat:scipy");
+        }
+        for (const std::string& spec : specs) {
+            texts.push_back(fmt::format("-{} {}", side == "from" ? 'f' : 't', spec));
         }
     }
     if (!texts.empty()) {
@@ -208,7 +215,18 @@ Words meant_specs(const std::string& text, const SpecError& error) {
         std::ranges::copy(all_presets(), std::back_inserter(legal));
     }
     Words specs;
-    for (const std::string& each : error.what == What::meaningless_modifier ? Words{"-"} : meant(error.text, legal)) {
+    if (const Project* const project = is_name ? nullptr : find_project(error.text); project != nullptr) {
+        for (const std::string& each : specs_of(*project)) {
+            const std::string spec = each.substr(0, each.find(' '));
+            if (spec.substr(0, spec.find(':')) == name && !project->is_spec()) { // of several
+                specs.push_back(with_rest(spec));
+            }
+        }
+    }
+    const bool is_known = !specs.empty();
+    for (const std::string& each : is_known                                   ? Words()
+                                   : error.what == What::meaningless_modifier ? Words{"-"}
+                                                                              : meant(error.text, legal)) {
         if (each == ":ARG" || each.starts_with("-f ")) { // of an option
             continue;
         }
@@ -223,7 +241,9 @@ Words meant_specs(const std::string& text, const SpecError& error) {
     if (std::ranges::any_of(specs, is_spec)) {
         std::erase_if(specs, [](const std::string& spec) { return !is_spec(spec); });
     }
-    return error.what == What::meaningless_modifier && plain_name(error.text) != "deg" ? Words() : specs;
+    const std::string modifier = plain_name(error.text);
+    const bool may_go = modifier == "deg" || modifier == "positive"; // as if it were not there
+    return error.what == What::meaningless_modifier && !may_go ? Words() : specs;
 }
 
 Words specs_of(const Project& project) {

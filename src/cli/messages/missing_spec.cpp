@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <rotconv/spec.hpp>
+
+#include "../../core/projects.hpp"
+#include "../../operations/operations.hpp"
+#include "../../stream/beginning/header_line.hpp"
+#include "../../stream/beginning/preamble.hpp"
+#include "../../stream/bytes/file.hpp"
+#include "../../stream/numbers/number_text.hpp"
+#include "../grammar/column_names.hpp"
+#include "answers.hpp"
+#include "messages.hpp"
+
+namespace rotconv::cli {
+namespace {
+
+/// The SPECs of rows whose width is that of no representation.
+// NOLINTNEXTLINE(cert-err58-cpp): without memory nothing works
+const std::vector<std::string> any_quaternion{"quat", "quat:xyzw"};
+
+/// The columns of a SPEC; none if the text is no SPEC.
+std::vector<std::string> names_of_spec(const std::string& text) {
+    const auto parsed = parse_spec(text);
+    const auto* const spec = std::get_if<Spec>(&parsed);
+    return spec == nullptr ? std::vector<std::string>() : operations::names_of(*spec);
+}
+
+std::vector<double> numbers_in(std::string text) {
+    std::ranges::replace_if(
+        text, [](char c) { return std::string_view(",;[](){}\t\n").find(c) != std::string_view::npos; }, ' ');
+    std::vector<double> numbers;
+    for (const std::string& word : words_in(text)) {
+        double number = 0.0;
+        if (stream::read_number(word, number) == stream::NumberError::none) {
+            numbers.push_back(number);
+        }
+    }
+    return numbers;
+}
+
+constexpr auto possible_specs =
+    std::to_array<std::string_view>({"quat", "quat:xyzw", "rpy", "rotvec", "axis-angle", "dcm", "dcm:passive", "6d",
+                                     "5d", "euler:ZYX", "cayley", "mrp"});
+
+/// The SPECs that have as many numbers, which `said` names with their orders; all where none has.
+std::vector<std::string> specs_of_numbers(const std::vector<double>& numbers, std::string& said) {
+    constexpr double most_radians = 6.3;
+    const bool is_large = std::ranges::any_of(numbers, [](double number) { return std::abs(number) > most_radians; });
+    std::vector<std::string> specs;
+    std::vector<std::string> told;
+    for (const std::string_view text : possible_specs) {
+        Spec spec = std::get<Spec>(parse_spec(text));
+        if (spec.size() == numbers.size()) {
+            spec = is_large ? spec.in_degrees() : spec;
+            specs.push_back(spec.text());
+            told.push_back(fmt::format("{} ({})", spec.text(), fmt::join(operations::names_of(spec), " ")));
+        }
+    }
+    said += told.empty() ? "" : fmt::format("; {} are {}", counted(numbers.size(), "number"), joined(told, ", "));
+    return specs.empty() ? std::vector<std::string>(possible_specs.begin(), possible_specs.end()) : specs;
+}
+
+/// The SPECs that a file's names or numbers are; `said` names its columns.
+std::vector<std::string> specs_of_file(const std::string& name, const std::string& bytes, std::string& said) {
+    if (bytes.empty()) {
+        return {};
+    }
+    constexpr std::array<const char*, 3> known{"quat", "dcm", "rpy"};
+    stream::InputOptions input;
+    input.columns_of = [&known](const std::vector<std::string>& names) {
+        return stream::ChosenColumns{.are_known = std::ranges::any_of(known, [&names](const char* spec) {
+                                         return find_names(std::get<Spec>(parse_spec(spec)), names).has_value();
+                                     })};
+    };
+    stream::Preamble preamble(input);
+    stream::IoBlock block;
+    block.text = stream::without_byte_order_mark(bytes);
+    stream::Output nowhere;
+    preamble.read(block, true, nowhere);
+    const stream::Line line = preamble.has_row() ? stream::next_line(block.text) : stream::Line();
+    const stream::HeaderLine row(line, stream::Delimiter::of_row(line.text));
+    if (2 * std::ranges::count_if(row.fields, stream::is_number) <= std::ranges::ssize(row.fields)) {
+        const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+        const std::string_view begin = std::string_view(bytes).substr(first, 2);
+        const bool is_json = begin.starts_with('{') || (begin.size() == 2 && begin[0] == '[' && begin[1] < 'A');
+        said += fmt::format("; {} {}", name, is_json ? "looks like JSON" : "does not begin with a row of numbers");
+        return {possible_specs.begin(), possible_specs.end()}; // the whole may be one attitude
+    }
+    const std::vector<std::string>& header = preamble.layout().names;
+    const auto names = header.empty() ? std::vector<std::string>(row.fields.begin(), row.fields.end()) : header;
+    said += fmt::format("; {} has {}: {}", name, counted(row.fields.size(), "column"), numbered(names));
+    std::vector<std::string> specs;
+    for (const char* spec : known) {
+        if (find_names(std::get<Spec>(parse_spec(spec)), names)) {
+            specs.emplace_back(spec);
+        }
+    }
+    if (specs.empty() && header.empty()) { // a matrix may be of several lines
+        const std::size_t size = row.fields.size();
+        specs = size == 3                               ? std::vector<std::string>{"dcm", "rpy", "rotvec"}
+                : size == 4                             ? std::vector<std::string>{"quat", "quat:xyzw", "dcm"}
+                : size == 9 || size == 12 || size == 16 ? std::vector<std::string>{"dcm"}
+                                                        : any_quaternion;
+    }
+    return specs;
+}
+
+} // namespace
+
+Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
+    const Option* const from = options.find("--from");
+    const std::string given = options.files.empty() ? options.input.text() : options.files[0];
+    const std::string path = given.empty() && options.values.empty() ? stream::File::name_of_input() : given;
+    const bool is_identify = options.command_name() == "identify" && !from->given();
+    bool lacks_from = is_identify || std::string_view(error.what()).starts_with("--from");
+    std::vector<std::string> specs;
+    std::string said = error.what();
+    said += is_identify ? ": identify needs rows that also have the attitude in a known convention" : "";
+    if (!lacks_from) {
+        const std::string& own = from != nullptr ? from->text() : "";
+        const bool is_quat = find_names(std::get<Spec>(parse_spec("quat")), names_of_spec(own)).has_value();
+        specs = options.find("--by") != nullptr ? std::vector<std::string>{own}
+                : from != nullptr && is_quat    ? std::vector<std::string>{"rpy:deg", "dcm"}
+                                                : std::vector<std::string>{"quat"};
+    } else if (!options.values.empty()) {
+        specs = specs_of_numbers(numbers_in(joined(options.values, " ")), said);
+    } else if (const auto bytes = path.empty() ? std::optional(stream::File::lines_of_pipe()) : first_bytes(path)) {
+        specs = specs_of_file(path.empty() ? "the input" : quoted(path), *bytes, said);
+        const auto dot = path.rfind('.');
+        const Project* const project = dot == std::string::npos ? nullptr : find_project(path.substr(dot + 1));
+        if (project != nullptr && project->is_spec() && specs.size() != 1) { // scan.ctf
+            specs.insert(specs.begin(), std::string(project->text));
+        }
+    }
+    const bool has_known = is_identify && specs == any_quaternion; // rows are wide enough for a known attitude
+    if (has_known) {
+        specs = {"quat"};
+        lacks_from = false;
+    }
+    auto mends = messages::with_specs_of_words(options, options.value_words);
+    mends = mends.empty() ? messages::with_specs_of_others(options) : mends;
+    for (const std::string& spec : mends.empty() ? specs : std::vector<std::string>()) {
+        const std::size_t place = lacks_from || from == nullptr ? options.begin : from->place.word + 1;
+        mends.push_back({{{{place}, 0, {lacks_from ? "-f" : "-t", spec}}}});
+        if (is_identify && !has_known) { // how the numbers are read is what is asked
+            mends.back().edits.push_back({{options.begin - 1}});
+        }
+    }
+    if (!lacks_from && !is_identify && options.command_name() == "identify") { // what is known is -t
+        mends.push_back({{{{from->place.word - 1}, 1, {"-t"}}}});
+    }
+    Usage usage = Usage(said).with(std::move(mends), said == error.what() ? "; see rotconv --help" : "");
+    usage.guesses_spec = lacks_from;
+    return usage;
+}
+
+} // namespace rotconv::cli
