@@ -20,6 +20,11 @@ public:
     /// @throw std::invalid_argument if a modifier of a spec has no meaning for its representation
     Composition(const Spec& first, const Spec& second, const Spec& to, const ConversionSettings& settings = {});
 
+    /// Its like for rows in which B is between two attitudes C and D, on the shortest rotation from C to D: numbers of
+    /// A, C and D, and then six, of which three sum up to the distance from C to B and three to that from C to D.
+    /// Errors of C and D, and numbers that are unusual in them, are not reported.
+    [[nodiscard]] Composition interpolating() const;
+
     [[nodiscard]] const Spec& first() const noexcept { return first_; }
     [[nodiscard]] const Spec& second() const noexcept { return second_; }
     [[nodiscard]] const Spec& to() const noexcept { return to_; }
@@ -40,6 +45,7 @@ private:
     Spec second_;
     Spec to_;
     ConversionSettings settings_;
+    bool interpolates_ = false;
     std::shared_ptr<ZeroTable> zeros_;
 };
 

@@ -21,8 +21,8 @@ class BetweenRows {
 public:
     /// See of_pairs().
     BetweenRows(RowFunction at, RowFunction between, std::size_t first_size, const Spec& reference,
-                const ConversionSettings& settings)
-        : at_(std::move(at)), between_(std::move(between)), first_size_(first_size),
+                const ConversionSettings& settings, bool by_numbers)
+        : at_(std::move(at)), between_(std::move(between)), first_size_(first_size), by_numbers_(by_numbers),
           reading_(reference, Spec{}, {.tolerance = settings.tolerance, .sensitivity = settings.sensitivity}) {}
 
     std::size_t operator()(const stream::NumberRows& pairs, std::span<double> out, std::vector<RowReport>& reports,
@@ -36,8 +36,9 @@ private:
     void add_neighbours(std::size_t row, const stream::InterpolatedPair& place, std::vector<RowReport>& reports) const;
 
     RowSubset at_;
-    RowSubset between_; ///< rows with the quaternion between the neighbours
+    RowSubset between_; ///< rows with the quaternion between the neighbours, or the numbers of both
     std::size_t first_size_;
+    bool by_numbers_;
     Conversion reading_;            ///< reads the neighbours
     std::vector<double> attitudes_; ///< the neighbours as quaternions
     std::vector<RowReport> neighbour_reports_;
@@ -54,13 +55,15 @@ std::size_t BetweenRows::operator()(const stream::NumberRows& pairs, std::span<d
     reports.clear();
     for (std::size_t i = 0; i < count; ++i) {
         const stream::InterpolatedPair& row = pairs.between[i];
-        RowSubset& some = row.is_at_row() ? at_ : between_;
+        const auto attitude = row.is_at_row() ? std::array<double, 4>() : attitude_at(i, row, reports);
+        const bool is_at = by_numbers_ ? is_at_row(pairs, i, second_size) : row.is_at_row();
+        RowSubset& some = is_at ? at_ : between_;
         some.rows.push_back(i);
-        append(some.numbers, pairs.numbers.subspan(i * first_size_, first_size_));
-        if (row.is_at_row()) {
-            append(some.numbers, pairs.neighbours.subspan(row.earlier * second_size, second_size));
+        if (is_at || by_numbers_) {
+            append_pair(pairs, i, first_size_, second_size, some.numbers);
         } else {
-            append(some.numbers, attitude_at(i, row, reports));
+            append(some.numbers, pairs.numbers.subspan(i * first_size_, first_size_));
+            append(some.numbers, attitude);
         }
     }
     const std::size_t size = out.size() / std::max<std::size_t>(count, 1);
@@ -91,7 +94,7 @@ std::array<double, 4> BetweenRows::attitude_at(std::size_t row, const stream::In
     if (std::isnan(earlier.w()) || std::isnan(later.w())) {
         return {1.0}; // their own errors are reported
     }
-    const auto found = interpolate(earlier, later, place.fraction);
+    const auto found = interpolate(earlier, later, place.fraction());
     if (!found) {
         reports.push_back({.row = row, .error = Error::past_half_turn, .at_fault = 1});
     }
@@ -119,9 +122,33 @@ void BetweenRows::add_neighbours(std::size_t row, const stream::InterpolatedPair
 } // namespace
 
 RowFunction of_pairs(RowFunction at, RowFunction between, const PairedRows& rows, std::size_t first_size,
-                     const Spec& second, const ConversionSettings& settings) {
-    return rows.interpolates ? RowFunction(BetweenRows(std::move(at), std::move(between), first_size, second, settings))
-                             : at;
+                     const Spec& second, const ConversionSettings& settings, bool by_numbers) {
+    return rows.interpolates
+               ? RowFunction(BetweenRows(std::move(at), std::move(between), first_size, second, settings, by_numbers))
+               : at;
+}
+
+bool is_at_row(const stream::NumberRows& pairs, std::size_t row, std::size_t second_size) {
+    const auto neighbour = [&](std::size_t at) { return pairs.neighbours.subspan(at * second_size, second_size); };
+    return std::ranges::equal(neighbour(pairs.between[row].earlier), neighbour(pairs.between[row].later));
+}
+
+void append_pair(const stream::NumberRows& pairs, std::size_t row, std::size_t first_size, std::size_t second_size,
+                 std::vector<double>& numbers) {
+    const stream::InterpolatedPair& between = pairs.between[row];
+    append(numbers, pairs.numbers.subspan(row * first_size, first_size));
+    append(numbers, pairs.neighbours.subspan(between.earlier * second_size, second_size));
+    if (is_at_row(pairs, row, second_size)) {
+        return;
+    }
+    append(numbers, pairs.neighbours.subspan(between.later * second_size, second_size));
+    for (const stream::KeyDistance& distance : {between.way, between.whole}) {
+        constexpr std::uint64_t mask = (std::uint64_t{1} << 43U) - 1;
+        for (const unsigned places : {86U, 43U, 0U}) {
+            const auto digits = static_cast<std::uint64_t>(distance.units >> places) & mask;
+            numbers.push_back(std::ldexp(static_cast<double>(digits), static_cast<int>(places)));
+        }
+    }
 }
 
 void RowSubset::run(std::size_t size, std::span<double> to, std::size_t width, std::span<double> rest) {

@@ -20,11 +20,18 @@ inline void append(std::vector<double>& to, std::span<const double> numbers) {
 
 /// The function of rows of two attitudes as they are read. A row between neighbours that are half a turn apart has the
 /// error past_half_turn.
-/// @param at takes the second attitude as it is read, and `between` as a quaternion
+/// @param at takes the second attitude as it is read, and `between` as a quaternion or, with `by_numbers`, as
+/// Composition::interpolating()
 /// @param first_size numbers of the first attitude
 /// @param settings how neighbours are read
 [[nodiscard]] RowFunction of_pairs(RowFunction at, RowFunction between, const PairedRows& rows, std::size_t first_size,
-                                   const Spec& second, const ConversionSettings& settings);
+                                   const Spec& second, const ConversionSettings& settings, bool by_numbers = false);
+
+/// Whether a row needs one row of the reference alone: there is one with its key, or the two around it are the same.
+[[nodiscard]] bool is_at_row(const stream::NumberRows& pairs, std::size_t row, std::size_t second_size);
+/// Adds the numbers of a row and those of the reference for it, as Composition or its interpolating() takes them.
+void append_pair(const stream::NumberRows& pairs, std::size_t row, std::size_t first_size, std::size_t second_size,
+                 std::vector<double>& numbers);
 
 /// A function of some of the rows at hand.
 struct RowSubset {

@@ -69,8 +69,9 @@ namespace {
 
 /// See ResultPart::again.
 auto again_by(const auto& core) {
-    return [core](std::span<const double> row, std::span<double> numbers, std::span<double> rest) {
-        core.again(row, numbers, rest);
+    return [core](const stream::NumberRows& rows, std::size_t row, std::span<double> numbers, std::span<double> rest) {
+        const std::size_t size = rows.numbers.size() / rows.lines.size();
+        core.again(rows.numbers.subspan(row * size, size), numbers, rest);
     };
 }
 
@@ -85,12 +86,19 @@ Operation convert(const Conversion& conversion, bool continuous) {
 Operation compose(const Composition& composition, const PairedRows& rows, bool continuous) {
     const Spec& first = composition.first();
     const Spec& to = composition.to();
-    const RowFunction between = function_of(Composition(first, Spec{}, to, composition.settings()));
-    auto made = operation_of(
-        of_pairs(function_of(composition), between, rows, first.size(), composition.second(), composition.settings()),
-        pair_numbers(attitude_numbers(first), rows, composition.second()), to, continuous);
-    if (!rows.interpolates) {
-        made->parts[0].again = again_by(composition);
+    const Spec& second = composition.second();
+    const Composition between = composition.interpolating();
+    auto made = operation_of(of_pairs(function_of(composition), function_of(between), rows, first.size(), second,
+                                      composition.settings(), true),
+                             pair_numbers(attitude_numbers(first), rows, second), to, continuous);
+    made->parts[0].again = again_by(composition);
+    if (rows.interpolates) {
+        made->parts[0].again = [=](const stream::NumberRows& pairs, std::size_t row, std::span<double> numbers,
+                                   std::span<double> rest) {
+            std::vector<double> all;
+            append_pair(pairs, row, first.size(), second.size(), all);
+            (is_at_row(pairs, row, second.size()) ? composition : between).again(all, numbers, rest);
+        };
     }
     return made;
 } // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): the functions free what they hold

@@ -122,6 +122,53 @@ TEST_CASE("products of any two representations are rounded once") {
     CHECK(held > 10'000);
 }
 
+// Catches an attitude between two that is rounded before it is multiplied, the long way around, a part of the way that
+// is rounded, 0 that is not known.
+TEST_CASE("products with an attitude between two are rounded once") {
+    strata::Source source(95);
+    int held = 0;
+    int wrong = 0;
+    for (const char* second : {"quat", "dcm:passive", "axis-angle", "rpy:deg", "rotvec", "mrp", "6d"}) {
+        for (const char* to : {"quat", "dcm", "rpy:deg", "rotvec", "euler:zxz:passive"}) {
+            for (int i = 0; i < 60; ++i) {
+                const auto a = numbers_of(spec("quat"), source);
+                const auto c = numbers_of(spec(second), source);
+                auto d = numbers_of(spec(second), source);
+                if (i % 3 == 0) { // near to it
+                    const double size = std::pow(10, -source.uniform(0, 20));
+                    std::ranges::transform(c, d.begin(), [&](double x) { return x + size * source.normal(); });
+                }
+                const std::vector<double> way{0x1p90, 12345 * 0x1p43, source.uniform(0, 1), 0x1p91, 0, 0};
+                oracle::Quaternion p = oracle::attitude(spec(second), c);
+                oracle::Quaternion turn = p.conjugate() * oracle::attitude(spec(second), d);
+                turn.coeffs() *= oracle::Real(turn.w() < 0 ? -1 : 1);
+                const oracle::Real part = (oracle::Real(way[0]) + way[1] + way[2]) / way[3];
+                p = p * oracle::about(turn.vec(), 2 * part * atan2(turn.vec().norm(), turn.w()));
+                oracle::Quaternion product = oracle::attitude(spec("quat"), a) * p;
+                product.coeffs() *= oracle::Real(product.w() < 0 ? -1 : 1);
+                std::vector<double> numbers(spec(to).size());
+                std::vector<RowReport> reports;
+                const Composition composition(spec("quat"), spec(second), spec(to), {.tolerance = infinite});
+                composition.interpolating().run(joined(joined(a, c), joined(d, way)), numbers, reports);
+                const auto exact = oracle::exact_numbers(spec(to), product);
+                wrong += wrong_of(numbers, exact, 1.0, held);
+            }
+        }
+    }
+    CHECK(wrong == 0);
+    CHECK(held > 5'000);
+    // planar turns: 0 stays 0; halfway between two doubles, and from one side of 0 to the other
+    std::vector<double> angles(3);
+    std::vector<RowReport> reports;
+    const Composition sum = Composition(spec("rpy:deg"), spec("rpy:deg"), spec("rpy:deg")).interpolating();
+    sum.run(std::vector<double>{0, 0, 0, 0, 0, 1, 0, 0, 1 + 0x1p-52, 1, 0, 0, 2, 0, 0}, angles, reports);
+    CHECK(angles == std::vector<double>{0, 0, 1});
+    sum.run(std::vector<double>{0, 0, 0, 0, 0, -30, 0, 0, 30, 1, 0, 0, 2, 0, 0}, angles, reports);
+    CHECK(angles == std::vector<double>{0, 0, 0});
+    sum.run(std::vector<double>{0, 0, 1e-200, 0, 0, 0, 0, 0, 360, 1, 0, 0, 2, 0, 0}, angles, reports);
+    CHECK(angles == std::vector<double>{0, 0, 1e-200});
+}
+
 // Catches products that underflow, a power of two that is lost, components that are not plain and stay so.
 TEST_CASE("products of extremely small turns and extremely scaled quaternions keep their digits") {
     strata::Source source(92);

@@ -52,7 +52,7 @@ std::string pairs_of(const std::string& rows, const std::string& references, std
                 pairs +=
                     fmt::format("{}{}-{}{} ", row.has_numbers() ? "" : "!", row.number, read.pairs[i].partner.number,
                                 is_between ? fmt::format("+{}@{}", read.pairs[i].later.number,
-                                                         read.parts.between[row.index].fraction)
+                                                         read.parts.between[row.index].fraction())
                                            : "");
             }
         }

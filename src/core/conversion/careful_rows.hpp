@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../numerics/elementary.hpp"
 #include "../numerics/quaternion_algebra.hpp"
 #include "../representations/kernel.hpp"
 #include "kernels.hpp"
@@ -51,6 +52,20 @@ template <class T> ROTCONV_INLINE void make_relative(const T (&reference)[4], T 
     multiply_from_side({-reference[0], reference[1], reference[2], reference[3]}, true, q);
 }
 
+ROTCONV_INLINE SineCosine<DoubleDouble> sine_cosine_of(DoubleDouble angle) noexcept {
+    return sine_cosine<DoubleDouble>(angle, AngleUnit::radians);
+}
+inline SineCosine<Wide> sine_cosine_of(const Wide& angle) noexcept { return sine_cosine(angle, AngleUnit::radians); }
+/// a / b, from 0 to 1, of which b may be 0.
+ROTCONV_INLINE DoubleDouble ratio_below_1(DoubleDouble a, DoubleDouble b) noexcept {
+    return a / select(b.hi == 0.0, DoubleDouble(1.0), b);
+}
+inline Wide ratio_below_1(const Wide& a, const Wide& b) noexcept {
+    Wide unknown = 0.5;
+    unknown.widen(0.5);
+    return b.may_be_zero() || b.exponent() < -100'000 ? unknown : a / b;
+}
+
 template <class T>
 ROTCONV_INLINE void rotate_vector(const T (&q)[4], const Given<T> (&vector)[3], T (&rotated)[3]) noexcept {
     T m[9];
@@ -59,6 +74,21 @@ ROTCONV_INLINE void rotate_vector(const T (&q)[4], const Given<T> (&vector)[3], 
         rotated[k] = (m[3 * k] * vector[0] + m[3 * k + 1] * vector[1]) + m[3 * k + 2] * vector[2];
     }
     divide(rotated, squared_norm(q));
+}
+
+/// p becomes the attitude on the shortest turn from p to q, neither of a given length, at that part of the way: p times
+/// the part of the rotation p' q. In unit quaternions it moves by no more than p and q together.
+/// @param fractions that part and the whole, each a sum of three doubles
+template <class T> ROTCONV_INLINE void interpolate(const double* fractions, const T (&q)[4], T (&p)[4]) noexcept {
+    const auto sum_of = [](const double* parts) { return (T(parts[0]) + T(parts[1])) + T(parts[2]); };
+    T turn[4] = {q[0], q[1], q[2], q[3]};
+    make_relative(p, turn);
+    const double sign = sign_of(turn[0]) < 0.0 ? -1.0 : 1.0;
+    const T length = root(sum_of_squares(turn[1], turn[2], turn[3]));
+    const T half = angle_of(scaled(turn[0], sign), length, AngleUnit::radians);
+    const SineCosine<T> part = sine_cosine_of(sum_of(fractions) / sum_of(fractions + 3) * half);
+    const T factor = scaled(ratio_below_1(part.sine, length), sign);
+    multiply_from_side({part.cosine, turn[1] * factor, turn[2] * factor, turn[3] * factor}, false, p);
 }
 
 /// Applies a rotation that only permutes and negates axes exactly, to matrices; otherwise does nothing.
@@ -136,6 +166,8 @@ struct CarefulTask {
 };
 struct CarefulRow {
     const double *first, *second;
+    const double* later = nullptr;     ///< the second attitude is between two, and this is the other; or null
+    const double* fractions = nullptr; ///< where it is between them, see interpolate()
 };
 
 inline void scale_to_unit(Careful (&q)[4]) noexcept {
@@ -180,6 +212,11 @@ inline void read_carefully(const CarefulTask& task, const CarefulRow& row, Caref
     if (task.second != nullptr) {
         Careful other[4];
         read_carefully(*task.second, row.second, task.second->passive, no_rotations, other);
+        if (row.later != nullptr) {
+            Careful later[4];
+            read_carefully(*task.second, row.later, task.second->passive, no_rotations, later);
+            interpolate(row.fractions, later, other);
+        }
         multiply_from_side(other, false, q);
     }
 }

@@ -308,6 +308,27 @@ void relate_rounded(const AttitudeBatch<double>& attitudes, const AttitudeBatch<
     }
 }
 
+/// The second attitudes of products.
+void read_second(const ProductBatch& batch, const double* second, std::size_t rows,
+                 AttitudeBatch<DoubleDouble>& attitudes) noexcept {
+    read_upright(*batch.second, no_rotations, second, rows, attitudes);
+    if (batch.later == nullptr) {
+        return;
+    }
+    AttitudeBatch<DoubleDouble> later;
+    read_upright(*batch.second, no_rotations, batch.later, rows, later);
+    for (std::size_t i = 0; i < rows; ++i) {
+        DoubleDouble p[4];
+        DoubleDouble q[4];
+        attitudes.get(i, p);
+        later.get(i, q);
+        interpolate(batch.fractions + i * batch.row_size, q, p);
+        attitudes.set(i, p);
+        attitudes.off[i] = 4.0 * (attitudes.off[i] + later.off[i]) + 0x1p-96; // both are at least 1/2 long
+        attitudes.error[i] = attitudes.error[i] != Error::none ? attitudes.error[i] : later.error[i];
+    }
+}
+
 void multiply(const ProductBatch& batch, const double* first, const double* second, std::size_t rows,
               AttitudeBatch<double>* const (&rounded)[3], double* out, double* rest,
               DiagnosticSet* diagnostics) noexcept {
@@ -317,7 +338,7 @@ void multiply(const ProductBatch& batch, const double* first, const double* seco
     AttitudeBatch<DoubleDouble> attitudes[3];
     auto& [left, right, product] = attitudes;
     read_upright(*batch.first, *batch.fixed, first, rows, left);
-    read_upright(*batch.second, no_rotations, second, rows, right);
+    read_second(batch, second, rows, right);
     for (std::size_t i = 0; i < rows; ++i) {
         DoubleDouble q[4];
         DoubleDouble other[4];
@@ -340,8 +361,14 @@ void multiply(const ProductBatch& batch, const double* first, const double* seco
     const auto set_open = [&](std::size_t i) { doubts[i] = other_doubt; };
     for_each_careful_row(*batch.first, first, product, rows, set_open);
     for_each_careful_row(*batch.second, second, product, rows, set_open);
+    if (batch.later != nullptr) {
+        for_each_careful_row(*batch.second, batch.later, product, rows, set_open);
+    }
     for (std::size_t i = 0; i < rows; ++i) {
-        const CarefulRow row{first + i * batch.first->size(), second + i * batch.second->size()};
+        const std::size_t place = i * batch.second->size();
+        const CarefulRow row{first + i * batch.first->size(), second + place,
+                             batch.later == nullptr ? nullptr : batch.later + place,
+                             batch.fractions + i * batch.row_size};
         double* const own_rest = rest == nullptr ? nullptr : rest + i * to.size() * batch.rest_size;
         if (batch.rest_size > 1 && own_rest != nullptr) {
             answer_with_rest(task, row, out + i * to.size(), own_rest, batch.rest_size, i, *rounded[2], diagnostics[i]);

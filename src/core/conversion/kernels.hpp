@@ -67,6 +67,10 @@ struct ProductBatch {
     double lock_margin = 0.0;
     ZeroTable* zeros = nullptr;
     std::size_t rest_size = 1; ///< see ConversionBatch
+    // The second attitudes are between those of rows and of these, see interpolate() of careful_rows.hpp; or null.
+    const double* later = nullptr;
+    const double* fractions = nullptr; ///< six numbers, one such group every `row_size` numbers
+    std::size_t row_size = 0;
 };
 
 /// The functions that are compiled for one kind of processor. Batches have at most `batch_rows` rows. Numbers are in

@@ -27,12 +27,12 @@ inline bool is_angle_in_degrees(const Spec* spec, const double* numbers, std::si
 }
 
 /// The numbers of an attitude or of a vector as a pattern has them. Of angles multiples of `step` degrees, 90 or 15,
-/// are known, and of matrices and axes the signs.
+/// are known, and of matrices and axes the signs; with a step of 0 no angles.
 class PartOfPattern {
 public:
     PartOfPattern(const Spec* spec, const double* numbers, double step) noexcept
         : spec_(spec), numbers_(numbers), step_(step),
-          has_angles_(spec != nullptr && spec->unit == AngleUnit::degrees) {
+          has_angles_(spec != nullptr && spec->unit == AngleUnit::degrees && step > 0.0) {
         if (spec == nullptr) {
             return;
         }
@@ -59,7 +59,7 @@ public:
             return number < 0.0 ? code_of_negative : code_of_any;
         }
         const double multiple = number / step_;
-        if (!is_angle_in_degrees(spec_, numbers_, k) || !(__builtin_fabs(multiple) < 0x1p28)) {
+        if (!has_angles_ || !is_angle_in_degrees(spec_, numbers_, k) || !(__builtin_fabs(multiple) < 0x1p28)) {
             return code_of_any;
         }
         const auto whole = static_cast<int>(multiple);
@@ -106,7 +106,8 @@ private:
     double small_[2] = {}; ///< entries of its columns up to here are small
 };
 
-/// The pattern of a row: the codes of its numbers, in 40 bits at most. `all_known`: there is no other number in it.
+/// The pattern of a row: the codes of its numbers, in 40 bits at most, with a second attitude between two in 59.
+/// `all_known`: there is no other number in it.
 inline std::uint64_t zero_pattern(const CarefulTask& task, const CarefulRow& row, double step,
                                   bool& all_known) noexcept {
     all_known = !task.fixed->has_left && !task.fixed->has_right;
@@ -124,6 +125,9 @@ inline std::uint64_t zero_pattern(const CarefulTask& task, const CarefulRow& row
     add({task.first, row.first, step});
     if (row.second != nullptr) {
         add({task.second, row.second, step});
+    }
+    if (row.later != nullptr) {
+        add({task.second, row.later, step});
     }
     return pattern;
 }
@@ -146,9 +150,11 @@ inline void take_stand_ins(const PartOfPattern& part, std::size_t first, double*
                                     0.3166247903553998, 0.1231056256176605, 0.7958315233127196, 0.9160797830996161,
                                     0.5677643628300219, 0.8284271247461903, 0.4641016151377546, 0.6055512754639892,
                                     0.3588989435406736, 0.0717967697244908, 0.6904157598234297, 0.9487539562906138,
-                                    0.1414284285428503, 0.5249378105604451};
+                                    0.1414284285428503, 0.5249378105604451, 0.7416573867739413, 0.8729833462074170,
+                                    0.5825756949558400, 0.0990195135927845, 0.3851648071345040, 0.4772255750516610,
+                                    0.7445626465380290, 0.8309518948453010, 0.4494897427831780};
     for (std::size_t k = 0; k < part.size(); ++k) {
-        others[k] = part.stand_in(k, fractions[(first + k) % 18]);
+        others[k] = part.stand_in(k, fractions[first + k]);
     }
 }
 
@@ -212,11 +218,16 @@ auto with_stand_ins(const CarefulTask& task, const CarefulRow& row, double step,
     const Wide::Bits enough(640);
     double first[most_numbers];
     double second[most_numbers];
+    double later[most_numbers];
+    constexpr double fractions[] = {0.2718281828459045, 0.0, 0.0, 1.0, 0.0, 0.0};
     take_stand_ins({task.first, row.first, step}, 0, first);
     if (row.second != nullptr) {
         take_stand_ins({task.second, row.second, step}, 9, second);
     }
-    return use(CarefulRow{first, row.second == nullptr ? nullptr : second});
+    if (row.later != nullptr) {
+        take_stand_ins({task.second, row.later, step}, 18, later);
+    }
+    return use({first, row.second == nullptr ? nullptr : second, row.later == nullptr ? nullptr : later, fractions});
 }
 ROTCONV_NOINLINE inline std::uint32_t find_zeros(const CarefulTask& task, const CarefulRow& row, double step) noexcept {
     return with_stand_ins(task, row, step, [&](const CarefulRow& other) {
@@ -249,6 +260,11 @@ inline bool are_zeros(const CarefulTask& task, const CarefulRow& row, std::uint6
         return true;
     }
     bool all_known = false;
+    if (row.later != nullptr) { // the way between two attitudes keeps no angle
+        const std::uint64_t pattern = zero_pattern(task, row, 0.0, all_known);
+        const bool has_room = pattern >> 44U == 0; // those of three matrices have none in the table
+        return has_room && (bits & ~std::uint64_t{known_zeros(task, row, pattern, 0.0)}) == 0;
+    }
     const std::uint64_t narrow = zero_pattern(task, row, 15.0, all_known);
     if (all_known && are_small) {
         return true;
@@ -331,7 +347,7 @@ ROTCONV_NOINLINE inline AngleSum find_sum(const CarefulTask& task, const Careful
 inline bool round_sum(const CarefulTask& task, const CarefulRow& row, unsigned k, double& number, double* rest,
                       std::size_t rest_size) noexcept {
     double angles[AngleSum::most_angles];
-    if (task.zeros == nullptr || task.to == nullptr || task.to->unit != AngleUnit::degrees ||
+    if (task.zeros == nullptr || row.later != nullptr || task.to == nullptr || task.to->unit != AngleUnit::degrees ||
         angles_in_degrees(task, row, angles) == 0 || __builtin_fabs(number) < 1e-6) {
         return false;
     }

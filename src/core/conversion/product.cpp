@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "../numerics/power_of_two.hpp"
 #include "input_batch.hpp"
@@ -38,6 +39,13 @@ Composition::Composition(const Spec& first, const Spec& second, const Spec& to, 
     : first_(checked(first)), second_(checked(second)), to_(checked(to)), settings_(settings),
       zeros_(std::make_shared<ZeroTable>()) {}
 
+Composition Composition::interpolating() const {
+    Composition other = *this;
+    other.interpolates_ = true;
+    other.zeros_ = std::make_shared<ZeroTable>();
+    return other;
+}
+
 void Composition::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
                       std::span<double> rest) const {
     run(in, out, reports, rest, 1);
@@ -51,14 +59,22 @@ void Composition::again(std::span<const double> row, std::span<double> numbers, 
 void Composition::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
                       std::span<double> rest, std::size_t rest_size) const {
     reports.clear();
-    const std::size_t width = first_.size() + second_.size();
+    const std::size_t to_later = first_.size() + second_.size();
+    const std::size_t width = to_later + (interpolates_ ? second_.size() + 6 : 0);
     check_size(rest.empty() ? out.size() : rest.size(),
                in.size() / width * to_.size() * (rest.empty() ? 1 : rest_size));
     const FixedRotations fixed = fixed_rotations(settings_.left, settings_.right);
-    const ProductBatch batch{&first_, &fixed, &second_, &to_, settings_.lock_margin, zeros_.get(), rest_size};
+    ProductBatch batch{&first_, &fixed, &second_, &to_, settings_.lock_margin, zeros_.get(), rest_size};
     const auto run_batch = [&](const double* numbers, std::size_t rows, double* written, std::size_t begin) {
         InputBatch first(first_, numbers, rows, width);
         InputBatch second(second_, numbers + first_.size(), rows, width);
+        std::optional<InputBatch> later;
+        if (interpolates_) {
+            later.emplace(second_, numbers + to_later, rows, width);
+            batch.later = later->own();
+            batch.fractions = numbers + to_later + second_.size();
+            batch.row_size = width;
+        }
         AttitudeBatch<double> product;
         std::array<DiagnosticSet, batch_rows> diagnostics{};
         std::array<double, batch_rows * most_numbers> own;
@@ -70,9 +86,11 @@ void Composition::run(std::span<const double> in, std::span<double> out, std::ve
             begin, rows, written, to_.size(), settings_.sensitivity, reports,
             [&](std::size_t i) {
                 return !diagnostics[i].empty() || first.is_remarkable(i, settings_) ||
-                       second.is_remarkable(i, settings_);
+                       (!interpolates_ && second.is_remarkable(i, settings_));
             },
-            [&](std::size_t i) { return report_of_pair(first, second, i, settings_); },
+            [&](std::size_t i) {
+                return interpolates_ ? first.report(i, settings_) : report_of_pair(first, second, i, settings_);
+            },
             [&](std::size_t i, RowReport& found) {
                 found.diagnostics |= diagnostics[i];
                 found.sensitivity = sensitivity_of(to_, product.at(i));

@@ -280,10 +280,8 @@ void PairReader::add_numbers(ReadRows& read, const Pairable& later) {
         add(read.parts.numbers, other, references_);
     } else {
         const std::size_t earlier = place_of(other);
-        const bool is_at_row = &later == &other;
         read.parts.between.push_back(
-            {earlier, place_of(later),
-             is_at_row ? 0.0 : ratio(distance(own.key, other.key), distance(later.key, other.key))});
+            {earlier, place_of(later), distance(own.key, other.key), distance(later.key, other.key)});
     }
     for (const Pairable* row : {&own, &other}) {
         if (pairing_->by_key) {

@@ -14,6 +14,7 @@
 #include <rotconv/conversion.hpp>
 
 #include "../numbers/fmt.hpp"
+#include "../pairs/key.hpp"
 
 namespace rotconv::stream {
 
@@ -30,8 +31,10 @@ struct RowNumbers {
 struct InterpolatedPair {
     std::size_t earlier = 0; ///< their indices among NumberRows::neighbours
     std::size_t later = 0;
-    double fraction = 0.0; ///< from 0 to 1
+    KeyDistance way{};    ///< from the earlier key
+    KeyDistance whole{1}; ///< between their keys
 
+    [[nodiscard]] double fraction() const { return ratio(way, whole); } ///< from 0 to 1
     [[nodiscard]] bool is_at_row() const noexcept { return earlier == later; }
 };
 
@@ -83,7 +86,8 @@ struct ResultPart {
     RowFunction function{};
     std::shared_ptr<ContinuousNumbers> follows{}; ///< makes the numbers continuous, for all threads; null: nothing does
     /// The numbers of one row, for that, and their rest in as many doubles as there is room for; may be empty.
-    std::function<void(std::span<const double> row, std::span<double> numbers, std::span<double> rest)> again{};
+    std::function<void(const NumberRows& rows, std::size_t row, std::span<double> numbers, std::span<double> rest)>
+        again{};
     // Of the rows at hand, reused:
     std::vector<double> out{};
     std::vector<double> rest{};
