@@ -56,9 +56,9 @@ std::size_t BetweenRows::operator()(const stream::NumberRows& pairs, std::span<d
         const stream::InterpolatedPair& row = pairs.between[i];
         RowSubset& some = row.is_at_row() ? at_ : between_;
         some.rows.push_back(i);
-        append(some.numbers, pairs.numbers.subspan(i * first_size_, first_size_));
+        append(some.numbers, std::span(pairs.numbers).subspan(i * first_size_, first_size_));
         if (row.is_at_row()) {
-            append(some.numbers, pairs.neighbours.subspan(row.earlier * second_size, second_size));
+            append(some.numbers, std::span(pairs.neighbours).subspan(row.earlier * second_size, second_size));
         } else {
             append(some.numbers, attitude_at(i, row, reports));
         }
@@ -127,7 +127,9 @@ RowFunction of_pairs(RowFunction at, RowFunction between, const PairedRows& rows
 void RowSubset::run(std::size_t size, std::span<double> to, std::size_t width, std::span<double> rest) {
     out.resize(rows.size() * size);
     out_rest.resize(rest.empty() ? 0 : out.size());
-    function({numbers, {}}, out, reports, out_rest);
+    stream::NumberRows held;
+    held.numbers.append(numbers);
+    function(held, out, reports, out_rest);
     scatter(out, size, rows, to, width);
     if (!rest.empty()) {
         scatter(out_rest, size, rows, rest, width);

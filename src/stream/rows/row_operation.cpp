@@ -60,7 +60,7 @@ std::size_t RowOperation::run(const NumberRows& rows, std::span<double> out, std
                 if (part.again) {
                     again = [&](std::size_t row, std::span<double> canonical, std::span<double> rest) {
                         const std::size_t size = rows.numbers.size() / rows.lines.size();
-                        part.again(rows.numbers.subspan(row * size, size), canonical, rest);
+                        part.again(std::span(rows.numbers).subspan(row * size, size), canonical, rest);
                     };
                 }
                 part.follows->run(numbers.first(answered * part.names.size()), is_alone ? reports : part.reports,
