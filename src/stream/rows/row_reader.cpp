@@ -116,27 +116,6 @@ std::string_view keep_scanned(const Layout& layout, std::size_t kept, const char
 
 } // namespace
 
-bool RowReader::take(std::string_view& text, Row& row, RowParts& to) const {
-    const bool is_comment = options_->width == 0 && options_->is_comment(text);
-    if (!is_comment && scan(text, row, to)) {
-        text.remove_prefix(row.line.text.size() + row.line.end.size());
-        return true;
-    }
-    row.line = next_line(text);
-    row.passes = !options_->is_row(row.line.text);
-    if (row.passes) {
-        return false;
-    }
-    const std::size_t first_number = to.numbers.size();
-    row.first_field = to.fields.size();
-    const bool is_read = read(row.line.text, to);
-    row.field_count = to.fields.size() - row.first_field;
-    if (!is_read) {
-        to.numbers.resize(first_number);
-    }
-    return is_read;
-}
-
 bool RowReader::scan(std::string_view text, Row& row, RowParts& to) const {
     const std::size_t first = to.numbers.size();
     if (options_->width > 0) {
@@ -186,6 +165,22 @@ bool RowReader::scan(std::string_view text, Row& row, RowParts& to) const {
     row.line = line;
     row.numbers = keep_scanned(*layout_, options_->numbers.kept, begin, last, first, to);
     return true;
+}
+
+bool RowReader::take_line(std::string_view& text, Row& row, RowParts& to) const {
+    row.line = next_line(text);
+    row.passes = !options_->is_row(row.line.text);
+    if (row.passes) {
+        return false;
+    }
+    const std::size_t first_number = to.numbers.size();
+    row.first_field = to.fields.size();
+    const bool is_read = read(row.line.text, to);
+    row.field_count = to.fields.size() - row.first_field;
+    if (!is_read) {
+        to.numbers.resize(first_number);
+    }
+    return is_read;
 }
 
 bool RowReader::read(std::string_view row, RowParts& to) const {

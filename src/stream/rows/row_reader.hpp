@@ -70,7 +70,14 @@ public:
     /// Takes a row off the text, and adds what is read of it. Its fields are looked for only where one scan does not
     /// do.
     /// @return whether it has numbers; otherwise it passes, or `to.error` says why, without its place
-    [[nodiscard]] bool take(std::string_view& text, Row& row, RowParts& to) const;
+    [[nodiscard]] bool take(std::string_view& text, Row& row, RowParts& to) const {
+        const bool is_comment = options_->width == 0 && options_->is_comment(text);
+        if (is_comment || !scan(text, row, to)) {
+            return take_line(text, row, to);
+        }
+        text.remove_prefix(row.line.text.size() + row.line.end.size());
+        return true;
+    }
     /// The text of the first number of a row of text, which is a key; nothing where `to.error` says why.
     [[nodiscard]] std::optional<std::string_view> key(std::string_view row, RowParts& to) const;
     /// A key as it is compared.
@@ -83,6 +90,8 @@ private:
     /// most are: the numbers stand side by side without blanks around them, and it has no quotes.
     /// @return false, and nothing is added, for any other row
     [[nodiscard]] bool scan(std::string_view text, Row& row, RowParts& to) const;
+    /// The same for a line that was not scanned.
+    [[nodiscard]] bool take_line(std::string_view& text, Row& row, RowParts& to) const;
     /// Adds what is read of a row of text, and its fields.
     /// @return false where `to.error` says why there are no numbers; fields and numbers may be there
     [[nodiscard]] bool read(std::string_view row, RowParts& to) const;
