@@ -202,11 +202,11 @@ private:
                 throw Usage("{} needs -t SPEC", option->name());
             }
         }
-        if (format.text() == "csv" || format.text() == "f64") {
+        stream::Options& options = made.options;
+        if (format.given() && options.format != stream::Format::json && options.format != stream::Format::pretty) {
             throw Usage("{} {} needs -t SPEC", format.name(), format.text());
         }
-        stream::Options& options = made.options;
-        options.format = format.text() == "json" ? stream::Format::json : stream::Format::pretty;
+        options.format = format.given() ? options.format : stream::Format::pretty;
         options.block = "";
         if (options.format == stream::Format::pretty && options.digits.shortest()) {
             options.digits.significant = most_digits;

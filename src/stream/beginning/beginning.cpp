@@ -335,11 +335,11 @@ private:
         if (!line.width().fits(row.width())) {
             return false;
         }
-        bool is = is_number(line.text(0));
         const std::size_t size = positions.empty() ? line.fields.size() : positions.size();
-        for (std::size_t i = 0; i < size; ++i) {
+        bool is = is_number(line.text(0));
+        for (std::size_t i = 0; i < size && !is; ++i) {
             const std::size_t at = positions.empty() ? i : positions[i];
-            is = is || (at < line.fields.size() && may_be_number(line.text(at)));
+            is = at < line.fields.size() && may_be_number(line.text(at));
         }
         return is;
     }

@@ -153,7 +153,9 @@ void PairReader::Stream::hold(std::size_t count, PairBlock& pairs) {
 
 PairReader::PairReader(Source& source, Source& reference, const Options& options, std::size_t block_size)
     : pairing_(&*options.pairing), writes_partners_(options.writes_partners()),
-      rows_(Side::stream, source, options, block_size), references_(Side::reference, reference, options, block_size) {}
+      rows_(Side::stream, source, options, block_size),
+      references_(Side::reference, reference, options, block_size), stats_{.interpolates = pairing_->interpolates,
+                                                                           .within = pairing_->within} {}
 
 bool PairReader::read(Job& job) {
     rows_.held = references_.held = 0;
@@ -218,12 +220,12 @@ void PairReader::pair(Job& job, bool is_between) {
     const Waiting& other = *references_.pairable.front();
     const Waiting& later = is_between ? *references_.pairable[1] : other;
     if (pairing_->looks_for_key && !pairing_->by_key && rows_.options->width == 0 && references_.options->width == 0) {
-        if (!any_pair_) {
+        if (!stats_.any_pair) {
             likely_key_.emplace(std::array{rows_.layout(), references_.layout()});
         }
         likely_key_->add({own.line.text, other.line.text});
     }
-    any_pair_ = true;
+    stats_.any_pair = true;
     ReadRows& read = job.pairs.read;
     read.rows.emplace_back(own.line, own.number);
     Pair& pair = read.pairs.emplace_back(
@@ -306,7 +308,9 @@ void PairReader::drop_alone() {
     }
 }
 
-void PairReader::compare_distance(KeyDistance found) { nearest_ = std::min(nearest_.value_or(found), found); }
+void PairReader::compare_distance(KeyDistance found) {
+    stats_.nearest = std::min(stats_.nearest.value_or(found), found);
+}
 
 PairReader::Match PairReader::match(At row, At reference) {
     if (row == At::end || reference == At::end) {
@@ -382,12 +386,10 @@ PairReader::Stream* PairReader::act(Job& job, Match match) {
 }
 
 PairingStats PairReader::keys() const {
-    return {.ranges = {rows_.range, references_.range},
-            .any_pair = any_pair_,
-            .interpolates = pairing_->interpolates,
-            .nearest = nearest_,
-            .likely = likely_key_ ? likely_key_->found() : std::nullopt,
-            .within = pairing_->within};
+    PairingStats stats = stats_;
+    stats.ranges = {rows_.range, references_.range};
+    stats.likely = likely_key_ ? likely_key_->found() : std::nullopt;
+    return stats;
 }
 
 std::optional<StreamError> PairReader::error() const {

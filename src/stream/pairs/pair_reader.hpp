@@ -149,10 +149,9 @@ private:
     bool writes_partners_;
     Stream rows_;
     Stream references_;
-    bool any_pair_ = false;
-    std::optional<KeyDistance> nearest_; ///< smallest distance of a key without a partner to its neighbours
-    Job reference_job_;                  ///< memory for the reference's blocks
-    Stream* dry_ = nullptr;              ///< the stream that had no row at hand at the end of the last job
+    PairingStats stats_;    ///< so far
+    Job reference_job_;     ///< memory for the reference's blocks
+    Stream* dry_ = nullptr; ///< the stream that had no row at hand at the end of the last job
     std::optional<StreamError> error_;
     std::optional<LikelyKey> likely_key_; ///< for text paired by number, from the first pair on
 };
