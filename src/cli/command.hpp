@@ -33,22 +33,12 @@ struct RowsResult : stream::RunResult {
     ExitCode code = ExitCode::done;
     std::array<std::size_t, 2>
         failed{}; ///< rows by Side: those without a result, and those of the reference without a key
-    /// Runs an operation over all rows once more, if they can be read again, and tells nothing.
-    std::function<void(const Operation&)> look_again{};
 };
 
 /// What a command says of its rows as a whole.
 struct Conclusion {
     std::string text;   ///< printed at the end
     bool holds = false; ///< what was to be found or checked
-};
-
-/// A run over the same rows that must come before that of a command. It tells nothing.
-struct FirstPass {
-    Operation operation;
-    std::shared_ptr<stream::Fold> fold;
-    /// What the command is to do with the rows, or why nothing, in words.
-    std::function<std::variant<Operation, std::string>()> conclude;
 };
 
 struct CommandOptions;
@@ -69,12 +59,18 @@ struct RowsCommand {
     std::string reference{};                  ///< the stream with which the rows are paired; see stream::Pairing
     messages::Subject reference_subject{};    ///< what the rows of the reference are
     std::vector<stream::Note> notes{};        ///< of the command line
-    std::optional<FirstPass> first_pass{};
+    /// Called before the run, where there is something to look for in the rows; in words why it is not found.
+    std::function<std::optional<std::string>(RowsCommand& command)> prepare{};
     /// Called at the end of a run that was not stopped. None: the rows are all there is.
     std::function<Conclusion(const RowsCommand& command, const RowsResult& result)> conclude{};
     /// The run goes on, without output, where nobody reads that any more: its exit status counts.
     bool is_check = false;
 };
+
+/// Runs another operation over a command's rows, and tells nothing.
+/// @return why the run did not come to its end, in words, or empty if that of the command says it; nothing if it did
+[[nodiscard]] std::optional<std::string> look_through(const RowsCommand& command, const Operation& operation,
+                                                      const std::shared_ptr<stream::Fold>& fold = nullptr);
 
 /// Runs the rows, and prints on stderr what there is to report.
 [[nodiscard]] ExitCode run_rows(RowsCommand command);

@@ -288,47 +288,6 @@ private:
     bool is_read_ = true;
 };
 
-/// Runs an operation over rows that are also read otherwise, and tells nothing.
-/// @return why the run did not come to its end, in words, or empty if another run says it; nothing if it did
-std::optional<std::string> run_silently(const RowsCommand& command, const Operation& operation,
-                                        const std::shared_ptr<stream::Fold>& fold) {
-    if (command.source) {
-        return "";
-    }
-    for (const std::string& path : {command.input, command.reference}) {
-        if (!path.empty() && stream::File::why_unreadable(path.c_str()) == 0 &&
-            !stream::File::is_regular(path.c_str())) {
-            return fmt::format("{}: the input is read twice, and a pipe cannot be", shown(path));
-        }
-    }
-    const auto files = open_inputs(command);
-    if (!files.back()->is_open()) {
-        return "";
-    }
-    stream::Options options = command.options;
-    options.operation = operation;
-    options.fold = fold;
-    const auto ending = stream::run(
-        *files.front(), nullptr, options, [](const auto&) {}, files.size() > 1 ? files.back().get() : nullptr);
-    return ending.error || ending.stopped ? std::optional("") : std::nullopt;
-}
-
-/// The command as its first pass makes it.
-/// @return what is wrong, in words
-std::string run_first_pass(RowsCommand& command) {
-    if (const auto wrong = run_silently(command, command.first_pass->operation, command.first_pass->fold)) {
-        command.options.writes_rows = false; // it is run for the messages
-        command.conclude = [](const auto&, const auto&) { return Conclusion(); };
-        return *wrong;
-    }
-    auto found = command.first_pass->conclude();
-    if (const auto* wrong = std::get_if<std::string>(&found)) {
-        return *wrong;
-    }
-    command.options.operation = std::get<0>(std::move(found));
-    return {};
-}
-
 /// What is told of a run that came to its end, and its exit status.
 void judge(const RowsCommand& command, Reporter& reporter, RowsResult& result) {
     const auto& step = command.options.operation->first_step;
@@ -356,7 +315,7 @@ void judge(const RowsCommand& command, Reporter& reporter, RowsResult& result) {
     }
 }
 
-ExitCode run_last_pass(const RowsCommand& command) {
+ExitCode run_pass(const RowsCommand& command) {
     using What = stream::StreamError::What;
     const auto inputs = open_inputs(command);
     if (!inputs.back()->is_open()) {
@@ -401,9 +360,6 @@ ExitCode run_last_pass(const RowsCommand& command) {
     }
     reporter.count_rest();
     if (command.conclude && is_whole) {
-        result.look_again = [&command](const Operation& operation) {
-            static_cast<void>(run_silently(command, operation, nullptr));
-        };
         const Conclusion conclusion = command.conclude(command, result);
         if (const int error = rows_output.write(conclusion.text); error != 0) {
             return error == EPIPE ? ExitCode::done : failed(command.output, What::write, error);
@@ -426,9 +382,38 @@ ExitCode print(std::string_view text) {
     return error == 0 || error == EPIPE ? ExitCode::done : failed("-", stream::StreamError::What::write, error);
 }
 
+std::optional<std::string> look_through(const RowsCommand& command, const Operation& operation,
+                                        const std::shared_ptr<stream::Fold>& fold) {
+    if (command.source) {
+        return "";
+    }
+    for (const std::string& path : {command.input, command.reference}) {
+        if (!path.empty() && stream::File::why_unreadable(path.c_str()) == 0 &&
+            !stream::File::is_regular(path.c_str())) {
+            return fmt::format("{}: the input is read twice, and a pipe cannot be", shown(path));
+        }
+    }
+    const auto files = open_inputs(command);
+    if (!files.back()->is_open()) {
+        return "";
+    }
+    stream::Options options = command.options;
+    options.operation = operation;
+    options.fold = fold;
+    const auto ending = stream::run(
+        *files.front(), nullptr, options, [](const auto&) {}, files.size() > 1 ? files.back().get() : nullptr);
+    return ending.error || ending.stopped ? std::optional("") : std::nullopt;
+}
+
 ExitCode run_rows(RowsCommand command) {
-    const std::string wrong = command.first_pass ? run_first_pass(command) : "";
-    return wrong.empty() ? run_last_pass(command) : failed(wrong);
+    if (const auto wrong = command.prepare ? command.prepare(command) : std::nullopt) {
+        if (!wrong->empty()) {
+            return failed(*wrong);
+        }
+        command.options.writes_rows = false; // it is run for the messages
+        command.conclude = [](const auto&, const auto&) { return Conclusion(); };
+    }
+    return run_pass(command);
 }
 
 } // namespace rotconv::cli

@@ -1,7 +1,6 @@
 #include "method_conversion.hpp"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -9,9 +8,9 @@
 #include <Eigen/Core>
 
 #include <rotconv/angle.hpp>
+#include <rotconv/comparison.hpp>
 
 #include "../core/conversion/input_batch.hpp"
-#include "../core/conversion/kernels.hpp"
 #include "formulas.hpp"
 
 namespace rotconv {
@@ -66,82 +65,61 @@ void put_in_range(const Spec& to, double* angles) noexcept {
 
 } // namespace
 
-MethodConversion::MethodConversion(const Conversion& own)
-    : own_(own), rotated_(own.settings().left.is_identity() && own.settings().right.is_identity()
-                              ? std::nullopt
-                              : std::optional(Conversion(own.from(), Spec{}, change_of(own.settings())))) {}
+MethodConversion::MethodConversion(const Conversion& own, std::string_view name, const Method* method)
+    : own_(own), name_(name), method_(method) {
+    if (!own.settings().left.is_identity() || !own.settings().right.is_identity()) {
+        rotated_.emplace(own.from(), Spec{}, change_of(own.settings()));
+    }
+}
 
-MethodConversion::MethodConversion(const Conversion& own, const Method& method) : MethodConversion(own) {
+MethodConversion::MethodConversion(const Conversion& own, const Method& method)
+    : MethodConversion(own, method.name, &method) {
     if (!method.serves(from().name, to().name)) {
         throw std::invalid_argument("not a published method of this pair");
     }
-    published_.push_back(&method);
 }
 
-MethodConversion MethodConversion::all(const Conversion& own) {
-    MethodConversion conversion(own);
+std::vector<MethodConversion> MethodConversion::all(const Conversion& own) {
+    std::vector<MethodConversion> all{{own, default_method, nullptr}, {own, fast_method, nullptr}};
     ConversionSettings fast = own.settings();
     fast.fast = true;
-    conversion.fast_.emplace(own.from(), own.to(), fast);
+    all.back().fast_.emplace(own.from(), own.to(), fast);
     for (const Method& method : methods_of(own.from().name, own.to().name)) {
-        conversion.published_.push_back(&method);
+        all.emplace_back(own, method);
     }
-    return conversion;
-}
-
-std::vector<std::string_view> MethodConversion::names() const {
-    std::vector<std::string_view> names;
-    if (fast_) {
-        names = {default_method, fast_method};
-    }
-    std::ranges::transform(published_, std::back_inserter(names), &Method::name);
-    return names;
+    return all;
 }
 
 void MethodConversion::run(std::span<const double> in, std::span<double> out, std::vector<double>& angles,
                            std::vector<RowReport>& reports) const {
     const std::size_t size = to().size();
     const std::size_t rows = in.size() / from().size();
-    const std::size_t count = published_.size() + (fast_ ? 2 : 0);
-    // The numbers of own_, of fast_ and of each method, and room for one more; not set at first.
-    Eigen::ArrayXd numbers(static_cast<Eigen::Index>((published_.size() + 3) * rows * size));
-    const auto numbers_of = [&](std::size_t i) { return std::span(numbers.data() + i * rows * size, rows * size); };
+    std::vector<double> numbers(rows * size);
     std::vector<RowReport> own;
     if (fast_) {
-        fast_->run(in, numbers_of(1), own);
+        fast_->run(in, out, own);
     }
-    own_.run(in, numbers_of(0), own);
-    if (!published_.empty()) {
-        const auto starting = starting_numbers(in);
-        for (std::size_t i = 0; i < published_.size(); ++i) {
-            run_method(*published_[i], starting, numbers_of(2 + published_.size()), numbers_of(2 + i));
-        }
+    own_.run(in, numbers, own);
+    if (method_ != nullptr) {
+        run_method(in, out);
+    } else if (!fast_) {
+        std::ranges::copy(numbers, out.begin());
     }
-    const std::span<const double> answers(numbers_of(fast_ ? 0 : 2).data(), count * rows * size);
-    angles.resize(rows * count);
-    const auto rotated = rotated_ ? rotconv::run(*rotated_, in) : std::vector<double>();
-    measure(rotated_ ? rotated : in, answers, count, angles);
+    measure(rotated_ ? rotconv::run(*rotated_, in) : std::vector(in.begin(), in.end()), out, angles);
 
     reports.clear();
     for (std::size_t i = 0, next = 0; i < rows; ++i) {
         const bool is_reported = next < own.size() && own[next].row == i;
         RowReport report = is_reported ? own[next++] : RowReport{.row = i};
-        for (std::size_t at = i * count; at < (i + 1) * count; ++at) {
-            double* const written = out.data() + at * size;
-            if (report.error != Error::none) {
-                std::fill_n(written, size, not_a_number);
-                angles[at] = not_a_number;
-            } else {
-                std::copy_n(answers.data() + ((at - i * count) * rows + i) * size, size, written);
-                if (report.diagnostics.has(DiagnosticKind::infinite) &&
-                    std::equal(written, written + size, numbers.data() + i * size)) {
-                    angles[at] = 0.0;
-                }
-            }
-            if (!(angles[at] <= report.deviation)) { // or nan, which stays
-                report.deviation = std::isnan(report.deviation) ? not_a_number : angles[at];
-            }
+        double* const written = out.data() + i * size;
+        if (report.error != Error::none) {
+            std::fill_n(written, size, not_a_number);
+            angles[i] = not_a_number;
+        } else if (report.diagnostics.has(DiagnosticKind::infinite) &&
+                   std::equal(written, written + size, numbers.data() + i * size)) {
+            angles[i] = 0.0;
         }
+        report.deviation = angles[i];
         const bool is_wrong = report.error == Error::none && !(report.deviation <= reported_method_error);
         if (is_reported || is_wrong) {
             report.diagnostics |= {DiagnosticKind::method_error, is_wrong};
@@ -169,43 +147,38 @@ std::vector<double> MethodConversion::starting_numbers(std::span<const double> i
     return numbers;
 }
 
-void MethodConversion::run_method(const Method& method, std::span<const double> numbers, std::span<double> room,
-                                  std::span<double> written) const {
-    const std::size_t rows = numbers.size() / from().size();
-    method.run(to().sequence, numbers.data(), rows, room.data());
+void MethodConversion::run_method(std::span<const double> in, std::span<double> out) const {
+    const auto numbers = starting_numbers(in);
+    const std::size_t rows = in.size() / from().size();
+    std::vector<double> answers(out.size());
+    method_->run(to().sequence, numbers.data(), rows, answers.data());
     if (to().unit == AngleUnit::degrees) {
-        std::ranges::for_each(room, [](double& v) { v *= degrees_per_radian; });
+        std::ranges::for_each(answers, [](double& v) { v *= degrees_per_radian; });
     }
-    for (std::size_t i = 0; i < room.size(); i += to().size()) {
+    for (std::size_t i = 0; i < answers.size(); i += to().size()) {
         if (to().sequence.has_signs() || to().positive) {
-            put_in_range(to(), room.data() + i);
+            put_in_range(to(), answers.data() + i);
         } else if (to().name == RepresentationId::quat) {
-            make_sign_canonical(room.data() + i);
+            make_sign_canonical(answers.data() + i);
         }
     }
-    to_written_order(to(), room.data(), rows, written.data());
+    to_written_order(to(), answers.data(), rows, out.data());
 }
 
-void MethodConversion::measure(std::span<const double> attitudes, std::span<const double> answers, std::size_t count,
-                               std::span<double> angles) const {
-    const KernelTable& kernels = kernel_table();
-    const Spec spec = rotated_ ? Spec{} : from();
-    const std::size_t all = attitudes.size() / spec.size();
-    AttitudeBatch<double> relative;
-    std::array<double, batch_rows> sizes;
-    for (std::size_t first = 0; first < all; first += batch_rows) {
-        const std::size_t rows = std::min(batch_rows, all - first);
-        InputBatch attitude(spec, attitudes.data() + first * spec.size(), rows, spec.size());
-        kernels.read(spec, no_rotations, attitude.own(), rows, attitude.attitudes);
-        for (std::size_t a = 0; a < count; ++a) {
-            InputBatch answer(to(), answers.data() + (a * all + first) * to().size(), rows, to().size());
-            kernels.read(to(), no_rotations, answer.own(), rows, answer.attitudes);
-            relate(attitude.attitudes, answer.attitudes, rows, relative, sizes.data());
-            for (std::size_t i = 0; i < rows; ++i) {
-                angles[(first + i) * count + a] = relative.error[i] == Error::none ? sizes[i] : not_a_number;
-            }
-        }
+void MethodConversion::measure(std::span<const double> attitudes, std::span<const double> answers,
+                               std::vector<double>& angles) const {
+    const Comparison comparison(rotated_ ? Spec{} : from(), to(), {.reading = {.tolerance = any_defect}});
+    const std::size_t first = comparison.from().size();
+    const std::size_t second = to().size();
+    angles.resize(answers.size() / second);
+    std::vector<double> pairs(angles.size() * (first + second));
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        double* const pair = pairs.data() + i * (first + second);
+        std::copy_n(attitudes.data() + i * first, first, pair);
+        std::copy_n(answers.data() + i * second, second, pair + first);
     }
+    std::vector<RowReport> reports;
+    comparison.run(pairs, angles, reports);
 }
 
 } // namespace rotconv

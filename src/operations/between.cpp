@@ -62,7 +62,7 @@ std::size_t BetweenRows::operator()(const stream::NumberRows& pairs, std::span<d
         if (is_at || by_numbers_) {
             append_pair(pairs, i, first_size_, second_size, some.numbers);
         } else {
-            append(some.numbers, pairs.numbers.subspan(i * first_size_, first_size_));
+            append(some.numbers, std::span(pairs.numbers).subspan(i * first_size_, first_size_));
             append(some.numbers, attitude);
         }
     }
@@ -129,19 +129,21 @@ RowFunction of_pairs(RowFunction at, RowFunction between, const PairedRows& rows
 }
 
 bool is_at_row(const stream::NumberRows& pairs, std::size_t row, std::size_t second_size) {
-    const auto neighbour = [&](std::size_t at) { return pairs.neighbours.subspan(at * second_size, second_size); };
+    const auto neighbour = [&](std::size_t at) {
+        return std::span(pairs.neighbours).subspan(at * second_size, second_size);
+    };
     return std::ranges::equal(neighbour(pairs.between[row].earlier), neighbour(pairs.between[row].later));
 }
 
 void append_pair(const stream::NumberRows& pairs, std::size_t row, std::size_t first_size, std::size_t second_size,
                  std::vector<double>& numbers) {
     const stream::InterpolatedPair& between = pairs.between[row];
-    append(numbers, pairs.numbers.subspan(row * first_size, first_size));
-    append(numbers, pairs.neighbours.subspan(between.earlier * second_size, second_size));
+    append(numbers, std::span(pairs.numbers).subspan(row * first_size, first_size));
+    append(numbers, std::span(pairs.neighbours).subspan(between.earlier * second_size, second_size));
     if (is_at_row(pairs, row, second_size)) {
         return;
     }
-    append(numbers, pairs.neighbours.subspan(between.later * second_size, second_size));
+    append(numbers, std::span(pairs.neighbours).subspan(between.later * second_size, second_size));
     for (const stream::KeyDistance& distance : {between.way, between.whole}) {
         constexpr std::uint64_t mask = (std::uint64_t{1} << 43U) - 1;
         for (const unsigned places : {86U, 43U, 0U}) {
@@ -154,7 +156,9 @@ void append_pair(const stream::NumberRows& pairs, std::size_t row, std::size_t f
 void RowSubset::run(std::size_t size, std::span<double> to, std::size_t width, std::span<double> rest) {
     out.resize(rows.size() * size);
     out_rest.resize(rest.empty() ? 0 : out.size());
-    function({numbers, {}}, out, reports, out_rest);
+    stream::NumberRows held;
+    held.numbers.append(numbers);
+    function(held, out, reports, out_rest);
     scatter(out, size, rows, to, width);
     if (!rest.empty()) {
         scatter(out_rest, size, rows, rest, width);

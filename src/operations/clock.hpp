@@ -14,11 +14,7 @@ namespace rotconv::operations {
 /// The times of rows that are accepted.
 class Clock {
 public:
-    explicit Clock(int power) : power_(power) {
-        for (; power < 0; ++power) {
-            per_second_ *= 10.0;
-        }
-    }
+    explicit Clock(int power) : power_(power), per_second_(std::pow(10.0, -power)) {}
 
     /// Seconds from the last accepted time to that of a row, its kept number; nan if it is not finite. Rounded once if
     /// both times are keys.
@@ -50,7 +46,7 @@ public:
 private:
     static constexpr stream::ReadKey no_key{.error = stream::KeyError::not_a_number};
     int power_;
-    double per_second_ = 1.0;
+    double per_second_;
     stream::ReadKey last_key_{};
     stream::ReadKey next_key_{};
     double last_ = 0.0;

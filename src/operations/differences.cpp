@@ -89,7 +89,7 @@ private:
     };
 
     [[nodiscard]] std::span<const double> numbers_of(const NumberRows& rows, std::size_t row) const {
-        return rows.numbers.subspan(row * size_, size_);
+        return std::span(rows.numbers).subspan(row * size_, size_);
     }
 
     /// Compares the row of each step with the row before it, and the first row with itself.

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -71,7 +72,7 @@ namespace {
 auto again_by(const auto& core) {
     return [core](const stream::NumberRows& rows, std::size_t row, std::span<double> numbers, std::span<double> rest) {
         const std::size_t size = rows.numbers.size() / rows.lines.size();
-        core.again(rows.numbers.subspan(row * size, size), numbers, rest);
+        core.again(std::span(rows.numbers).subspan(row * size, size), numbers, rest);
     };
 }
 
@@ -156,14 +157,24 @@ Operation method(const MethodConversion& conversion, bool continuous) {
     return operation_of(function, attitude_numbers(conversion.from()), conversion.to(), continuous);
 }
 
-Operation all_methods(const MethodConversion& conversion, std::shared_ptr<MethodAnswers> answers) {
-    const auto function = [conversion, answers = std::move(answers)](const auto& rows, auto /*out*/, auto& reports,
-                                                                     auto /*rest*/) {
-        answers->numbers.resize(rows.lines.size() * conversion.names().size() * conversion.to().size());
-        conversion.run(rows.numbers, answers->numbers, answers->angles, reports);
+Operation all_methods(const std::vector<MethodConversion>& methods, std::shared_ptr<MethodAnswers> answers) {
+    const auto function = [methods, answers = std::move(answers)](const auto& rows, auto out, auto& reports,
+                                                                  auto /*rest*/) {
+        reports.clear();
+        for (const MethodConversion& method : methods) {
+            std::vector<double> angles;
+            std::vector<RowReport> found;
+            method.run(rows.numbers, out, angles, found);
+            answers->numbers.insert(answers->numbers.end(), out.begin(), out.end());
+            answers->angles.insert(answers->angles.end(), angles.begin(), angles.end());
+            for (const RowReport& report : found) { // all have the same of rotconv's own conversion
+                RowReport& worst = stream::report_of(report.row, reports);
+                worst = worst.deviation > report.deviation || std::isnan(worst.deviation) ? worst : report;
+            }
+        }
         return rows.lines.size();
     };
-    return operation_of(function, attitude_numbers(conversion.from()), conversion.to(), false);
+    return operation_of(function, attitude_numbers(methods.front().from()), methods.front().to(), false);
 }
 
 } // namespace rotconv::operations

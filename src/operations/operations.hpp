@@ -68,13 +68,14 @@ template <class Core> RowFunction function_of(const Core& core) {
 /// The answers of a published method.
 [[nodiscard]] Operation method(const MethodConversion& conversion, bool continuous);
 
-/// See MethodConversion::run().
+/// The answers of several methods to a row, see MethodConversion::run().
 struct MethodAnswers {
     std::vector<double> numbers;
     std::vector<double> angles;
 };
-/// Keeps the answers of several methods to the last rows. The results are not used.
-[[nodiscard]] Operation all_methods(const MethodConversion& conversion, std::shared_ptr<MethodAnswers> answers);
+/// Keeps the answers of methods of one pair to a single row. The results are not used.
+[[nodiscard]] Operation all_methods(const std::vector<MethodConversion>& methods,
+                                    std::shared_ptr<MethodAnswers> answers);
 
 /// The vectors that are rotated by the attitudes of their rows, see VectorRotation.
 [[nodiscard]] Operation rotate(const VectorRotation& rotation);

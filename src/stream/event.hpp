@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -124,22 +125,18 @@ struct Unpaired {
 /// The output of a block of rows: bytes to write, rows to add to a fold, and events to report after both, each in the
 /// order of the rows.
 struct Output {
-    Buffer bytes;
-    std::vector<AnsweredRows> batches;
-    std::vector<Event> events;
+    Buffer bytes{};
+    std::vector<AnsweredRows> batches{};
+    std::vector<Event> events{};
     std::size_t rows = 0;     ///< data rows of the stream
     std::size_t answered = 0; ///< data rows that have a result
     bool stopped = false;     ///< a row error ended the run
     Unpaired unpaired{};      ///< rows whose partner is not defined
 
-    void clear() noexcept {
+    /// Keeps its memory.
+    void clear() {
         bytes.clear();
-        batches.clear();
-        events.clear();
-        rows = 0;
-        answered = 0;
-        stopped = false;
-        unpaired = {};
+        *this = Output{.bytes = std::move(bytes)};
     }
 };
 

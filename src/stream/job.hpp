@@ -17,25 +17,6 @@
 
 namespace rotconv::stream {
 
-/// A row of a stream.
-struct Row {
-    // Without a constructor all bytes would be cleared first, which takes longer than what it does.
-    explicit Row(const Line& line_ = {}, std::size_t number_ = 0) noexcept : line(line_), number(number_) {}
-
-    Line line;
-    std::size_t number;              ///< the line's; 0 if there is only a row of the reference
-    bool passes = false;             ///< blank or comment: goes out as it is
-    const RowError* error = nullptr; ///< why it has no numbers, or no partner
-    // Set when the row is read:
-    std::string_view numbers{}; ///< their text, if the row was scanned without looking for fields
-    std::size_t first_field = 0;
-    std::size_t field_count = 0;
-    std::size_t index = 0; ///< its place among the rows with numbers
-
-    [[nodiscard]] bool is_scanned() const noexcept { return numbers.data() != nullptr; }
-    [[nodiscard]] bool has_numbers() const noexcept { return !passes && error == nullptr; }
-};
-
 /// A row of the reference.
 struct Partner {
     std::string_view text;

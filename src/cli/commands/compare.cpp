@@ -158,22 +158,25 @@ private:
         const operations::ComparisonRows as_they_are{{paired_rows()}, true};
         const auto fold = std::make_shared<operations::AlignmentFold>(side);
         auto found = std::make_shared<FoundRotations>();
-        made.first_pass = {operations::compare(comparison, as_they_are), fold,
-                           [=, name = std::string(align.name())]() -> std::variant<Operation, std::string> {
-                               const auto best = fold->alignment.rotations();
-                               if (!best) {
-                                   return fmt::format("the pairs do not determine the turn of {}", name);
-                               }
-                               ComparisonSettings rotated = comparison.settings();
-                               *found = found_rotations(*best, rotated.reading);
-                               rotated.reading.left = {};
-                               rotated.reading.right = {};
-                               for (const FoundRotation& each : *found) { // as the options have it
-                                   (each.side == "left" ? rotated.reading.left : rotated.reading.right) = each.rotation;
-                               }
-                               return operations::compare(
-                                   Comparison(comparison.from(), comparison.reference(), rotated), rows);
-                           }};
+        made.prepare = [=, name = std::string(align.name())](RowsCommand& command) -> std::optional<std::string> {
+            if (auto wrong = look_through(command, operations::compare(comparison, as_they_are), fold)) {
+                return wrong;
+            }
+            const auto best = fold->alignment.rotations();
+            if (!best) {
+                return fmt::format("the pairs do not determine the turn of {}", name);
+            }
+            ComparisonSettings rotated = comparison.settings();
+            *found = found_rotations(*best, rotated.reading);
+            rotated.reading.left = {};
+            rotated.reading.right = {};
+            for (const FoundRotation& each : *found) { // as the options have it
+                (each.side == "left" ? rotated.reading.left : rotated.reading.right) = each.rotation;
+            }
+            command.options.operation =
+                operations::compare(Comparison(comparison.from(), comparison.reference(), rotated), rows);
+            return std::nullopt;
+        };
         return found;
     }
 

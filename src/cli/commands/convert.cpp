@@ -20,12 +20,12 @@ std::vector<Spec> all_forms() {
 }
 
 /// The answers of methods to a row, in lines for people.
-std::string lines_of(const MethodConversion& methods, const operations::MethodAnswers& answers,
+std::string lines_of(const std::vector<MethodConversion>& methods, const operations::MethodAnswers& answers,
                      const stream::Options& options) {
     const stream::Layout layout;
     const stream::RowWriter writer(options, layout);
-    const auto names = methods.names();
-    const std::size_t size = methods.to().size();
+    const auto names = mapped(methods, &MethodConversion::name);
+    const std::size_t size = methods.front().to().size();
     const auto number = [&](std::size_t i) {
         stream::Buffer text;
         writer.write_number(text, answers.numbers[i], i % size);
@@ -183,7 +183,7 @@ private:
             throw Usage("{} all writes lines for people, without {}, {}, {} columns or a {} other than pretty",
                         method.name(), append.name(), header.name(), diagnostics.name(), format.name());
         }
-        const MethodConversion methods = MethodConversion::all(conversion);
+        const auto methods = MethodConversion::all(conversion);
         const auto answers = std::make_shared<operations::MethodAnswers>();
         RowsCommand made = rows_command(operations::all_methods(methods, answers));
         made.options.writes_rows = false;
@@ -202,11 +202,11 @@ private:
                 throw Usage("{} needs -t SPEC", option->name());
             }
         }
-        if (format.text() == "csv" || format.text() == "f64") {
+        stream::Options& options = made.options;
+        if (format.given() && options.format != stream::Format::json && options.format != stream::Format::pretty) {
             throw Usage("{} {} needs -t SPEC", format.name(), format.text());
         }
-        stream::Options& options = made.options;
-        options.format = format.text() == "json" ? stream::Format::json : stream::Format::pretty;
+        options.format = format.given() ? options.format : stream::Format::pretty;
         options.block = "";
         if (options.format == stream::Format::pretty && options.digits.shortest()) {
             options.digits.significant = most_digits;

@@ -96,7 +96,7 @@ public:
 
     [[nodiscard]] std::shared_ptr<Identification> identification() const noexcept { return identification_; }
 
-    [[nodiscard]] Conclusion conclude(const RowsResult& result) {
+    [[nodiscard]] Conclusion conclude(const RowsCommand& command, const RowsResult& result) {
         positions_ = result.positions;
         if (!positions_.empty() && settings_.rows.by_key) {
             positions_.erase(positions_.begin());
@@ -107,7 +107,7 @@ public:
             return {.text = settings_.json ? json_line({{"rows", rows}, {"fit", rows}, {"answer", "none"}}) : "none\n"};
         }
         Verdict verdict = identification_->verdict();
-        const bool all_were_held = hold_all(verdict, result);
+        const bool all_were_held = hold_all(verdict, command);
         const std::string limit = verdict.fitting > 1 ? smaller_limit(verdict.candidates) : "";
         verdict.candidates.resize(std::min(verdict.candidates.size(), listed));
         const std::string end = settings_.json ? json_end(verdict) : table_end(verdict, limit, all_were_held);
@@ -123,14 +123,14 @@ private:
 
     /// Holds all rows against the answer, of which only some of many were kept.
     /// @return whether they could be read again
-    [[nodiscard]] bool hold_all(Verdict& verdict, const RowsResult& result) const {
+    [[nodiscard]] bool hold_all(Verdict& verdict, const RowsCommand& command) const {
         const std::size_t rows = identification_->rows();
         if (!verdict.answer || verdict.answer->rows == rows) {
             return true;
         }
         const auto again =
             std::make_shared<Identification>(*verdict.answer, settings_.rows.known, settings_.identification);
-        result.look_again(operations::identify(settings_.rows, again));
+        static_cast<void>(look_through(command, operations::identify(settings_.rows, again)));
         if (again->rows() == 0) {
             return false;
         }
@@ -300,7 +300,9 @@ struct IdentifyOptions final : RowOptions {
             made.options.input.take_count = [report](std::size_t fields) { return report->take_count(fields); };
         }
         made.options.writes_rows = false;
-        made.conclude = [report](const RowsCommand&, const RowsResult& result) { return report->conclude(result); };
+        made.conclude = [report](const RowsCommand& command, const RowsResult& result) {
+            return report->conclude(command, result);
+        };
         pair(made, rows.known);
         return made;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 #include <utility>
 #include <variant>
 
@@ -20,6 +21,8 @@ bool is_missing(std::string_view text) {
     constexpr std::array<std::string_view, 9> words{"", "na", "n/a", "null", "none", "nil", "-", "?", "."};
     return std::ranges::count(words, lower(text)) != 0;
 }
+
+bool may_be_number(std::string_view text) { return is_number(text) || is_missing(text); }
 
 /// Whether a text begins an object with keys, or an array of objects or of numbers between commas; "[INFO]" and a
 /// matrix of NumPy do not.
@@ -87,7 +90,7 @@ public:
 
     [[nodiscard]] std::optional<Beginning> operator()() const {
         if (first_ == all_.size()) {
-            return is_end_ ? of_comments() : std::nullopt;
+            return is_end_ && by_name() && may_have_header() ? of_comments() : std::nullopt;
         }
         const Fields& last = all_.back();
         if (begins_with_json()) {
@@ -111,11 +114,7 @@ private:
     }
 
     static Beginning error(StreamError error, const Fields& line) {
-        Beginning made;
-        made.rows = line.index + 1;
-        made.error = std::move(error);
-        made.error_line = line.line;
-        return made;
+        return {.rows = line.index + 1, .error = std::move(error), .error_line = line.line};
     }
 
     /// Whether the first line begins JSON and cannot be converted.
@@ -211,13 +210,13 @@ private:
         Beginning made;
         made.positions = options_.columns.positions();
         if (by_name()) {
-            for (std::size_t i = above(row).size(); i-- > 0;) {
-                auto [header, found] = find_names(all_[i], row);
+            for (const Fields& line : above(row) | std::views::reverse) {
+                auto [header, found] = find_names(line, row);
                 if (!has_all(found)) {
                     continue;
                 }
                 if (const auto* wrong = std::get_if<ColumnError>(&found)) {
-                    return error({.what = StreamError::What::columns, .column = *wrong}, all_[i]);
+                    return error({.what = StreamError::What::columns, .column = *wrong}, line);
                 }
                 made.positions = std::get<Positions>(std::move(found));
                 if (header.width().fits(row.width()) && is_numeric(row, made.positions)) {
@@ -278,8 +277,7 @@ private:
             return !each.is_comment && (options_.header != HeaderMode::automatic || is_row(each) ||
                                         is_row(HeaderLine(each.line, row.delimiter)) ||
                                         std::ranges::all_of(each.fields, [&each](auto field) {
-                                            const auto text = each.delimiter.text_of(field);
-                                            return is_number(text) || is_missing(text);
+                                            return may_be_number(each.delimiter.text_of(field));
                                         }));
         };
         made.rows = std::ranges::find_if(all_, is_error)->index;
@@ -288,7 +286,6 @@ private:
 
     /// The header above the first row.
     [[nodiscard]] std::optional<HeaderLine> header_of(const Fields& row, const Positions& positions) const {
-        const auto lines = above(row);
         if (options_.header == HeaderMode::yes) {
             if (&row == &all_[first_]) {
                 const Fields* const comment = comment_above(row, false);
@@ -296,16 +293,15 @@ private:
             }
             return all_[first_].as_header();
         }
-        for (std::size_t i = lines.size(); i-- > 0;) {
-            if (auto header = header_with_set(lines[i], &row)) {
+        for (const Fields& line : above(row) | std::views::reverse) {
+            if (auto header = header_with_set(line, &row)) {
                 return header;
             }
         }
         if (const Fields* const comment = comment_above(row, true)) {
             return headers_of(*comment, &row).front();
         }
-        for (std::size_t i = lines.size(); i-- > 0;) {
-            const Fields& line = lines[i];
+        for (const Fields& line : above(row) | std::views::reverse) {
             if (line.is_comment || is_units(line) || is_row(line, row, positions)) {
                 continue;
             }
@@ -320,19 +316,15 @@ private:
     /// The last comment of the row's width: with `has_words` one that is parted by commas, each part one word and its
     /// unit.
     [[nodiscard]] const Fields* comment_above(const Fields& row, bool has_words) const {
-        const auto lines = above(row);
-        for (std::size_t i = lines.size(); i-- > 0;) {
-            if (!lines[i].is_comment) {
-                continue;
-            }
-            const auto headers = headers_of(lines[i], &row);
+        for (const Fields& line : above(row) | std::views::reverse) {
+            const auto headers = line.is_comment ? headers_of(line, &row) : std::vector<HeaderLine>();
             if (headers.empty()) {
                 continue;
             }
             const auto names = headers.front().names_at({}).value();
             if (!has_words || (headers.front().delimiter.text() == ',' && !headers.front().is_remark() &&
                                std::ranges::all_of(names, is_word))) {
-                return &lines[i];
+                return &line;
             }
         }
         return nullptr;
@@ -343,11 +335,11 @@ private:
         if (!line.width().fits(row.width())) {
             return false;
         }
-        bool is = is_number(line.text(0));
         const std::size_t size = positions.empty() ? line.fields.size() : positions.size();
-        for (std::size_t i = 0; i < size; ++i) {
+        bool is = is_number(line.text(0));
+        for (std::size_t i = 0; i < size && !is; ++i) {
             const std::size_t at = positions.empty() ? i : positions[i];
-            is = is || (at < line.fields.size() && (is_number(line.text(at)) || is_missing(line.text(at))));
+            is = at < line.fields.size() && may_be_number(line.text(at));
         }
         return is;
     }
@@ -435,14 +427,11 @@ private:
 
     /// Comments alone: one of them may have the names.
     [[nodiscard]] std::optional<Beginning> of_comments() const {
-        for (std::size_t i = all_.size(); by_name() && may_have_header() && i-- > 0;) {
-            auto [header, found] = find_names(all_[i], all_[i]);
+        for (const Fields& line : all_ | std::views::reverse) {
+            auto [header, found] = find_names(line, line);
             if (auto* positions = std::get_if<Positions>(&found)) {
-                Beginning made;
-                made.positions = std::move(*positions);
-                made.header = std::move(header);
-                made.rows = all_[i].index + 1;
-                return made;
+                return Beginning{
+                    .header = std::move(header), .rows = line.index + 1, .positions = std::move(*positions)};
             }
         }
         return std::nullopt;

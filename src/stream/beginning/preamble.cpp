@@ -151,16 +151,13 @@ std::string_view Preamble::start(const Beginning& beginning, std::size_t& first_
     }
     const auto lines = held_lines();
     const std::string_view before = beginning.rows < lines.size() ? until(lines[beginning.rows]) : held;
+    const std::string_view passed = beginning.header ? until(beginning.header->line) : before;
+    tell_passed(passed);
+    pass(passed, output);
     if (beginning.header) {
-        const std::string_view passed = until(beginning.header->line);
-        tell_passed(passed);
-        pass(passed, output);
         start_below(*beginning.header, beginning.units ? &*beginning.units : nullptr, output);
         const std::size_t end = passed.size() + beginning.header->line.text.size() + beginning.header->line.end.size();
         pass(beginning.units ? until(beginning.units->line).substr(end) : before.substr(end), output);
-    } else {
-        tell_passed(before);
-        pass(before, output);
     }
     if (beginning.row) {
         const std::size_t number = number_of(beginning.row->line);

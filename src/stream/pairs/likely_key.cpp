@@ -1,7 +1,6 @@
 #include "likely_key.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 #include <utility>
 #include <variant>
 
@@ -29,17 +28,6 @@ bool is_time(std::string_view name) {
     return false;
 }
 
-/// The position of each name; behind the last for one that stands twice, which --key does not take.
-std::unordered_map<std::string_view, std::size_t> positions_of(const std::vector<std::string>& names) {
-    std::unordered_map<std::string_view, std::size_t> positions;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (const auto [at, is_new] = positions.emplace(names[i], i); !is_new) {
-            at->second = names.size();
-        }
-    }
-    return positions;
-}
-
 /// Whether --key takes a text as a name.
 bool is_name(std::string_view text) {
     const auto list = ColumnList::parse(text, 1);
@@ -54,13 +42,12 @@ LikelyKey::LikelyKey(const std::array<const Layout*, 2>& layouts) : layouts_(lay
         return !positions.empty() && std::ranges::count(positions, at) == 0;
     };
     const std::vector<std::string>& names = layouts[0]->names;
-    const auto own = positions_of(names);
-    const auto others = positions_of(layouts[1]->names);
-    const auto add = [&](std::size_t at) {
-        const auto other = others.find(names[at]);
-        if (own.at(names[at]) == at && other != others.end() && other->second < others.size() && is_free(0, at) &&
-            is_free(1, other->second) && is_name(names[at])) {
-            columns_.push_back({.text = names[at], .at = {at, other->second}});
+    const std::vector<std::string>& others = layouts[1]->names;
+    const auto add = [&](std::size_t at) { // --key takes no name that stands twice
+        const auto other = static_cast<std::size_t>(std::ranges::find(others, names[at]) - others.begin());
+        if (std::ranges::count(names, names[at]) == 1 && std::ranges::count(others, names[at]) == 1 && is_free(0, at) &&
+            is_free(1, other) && is_name(names[at])) {
+            columns_.push_back({.text = names[at], .at = {at, other}});
         }
     };
     for (std::size_t i = 0; i < names.size(); ++i) {

@@ -40,43 +40,37 @@ void PairReader::Stream::take_line() {
     Waiting& next = waiting.emplace_back();
     next.number = line++;
     parts.clear();
-    const bool is_comment = options->width == 0 && options->is_comment(unread);
-    const auto scanned = is_comment ? std::nullopt : reader.scan(unread, parts);
-    if (scanned) {
-        next.line = scanned->line;
-        unread.remove_prefix(next.line.text.size() + next.line.end.size());
-    } else {
-        next.line = next_line(unread);
-        next.passes = !options->is_row(next.line.text);
-    }
+    Row row;
+    const bool is_read = reader.take(unread, row, parts);
+    next.line = row.line;
+    next.passes = row.passes;
     next.ends_text = unread.empty();
     bytes_waiting += next.line.text.size();
     if (next.passes) {
         return;
     }
-    Pairable& row = pairable.emplace_back();
-    row.text = next.line.text;
-    row.number = next.number;
-    const bool is_read = scanned || reader.read(row.text, parts);
-    if (is_read) {
-        std::ranges::copy(parts.numbers, row.numbers.begin());
-    } else {
-        parts.error.place = {row.number, side};
-        row.error = std::make_unique<RowError>(std::exchange(parts.error, {}));
-    }
-    next.may_be_paired = !by_key || find_key(row, is_read);
-    if (!next.may_be_paired) {
-        parts.error.place = {row.number, side};
+    const auto keep_error = [&] {
+        parts.error.place = {next.number, side};
         next.error = std::make_unique<RowError>(std::exchange(parts.error, {}));
-        pairable.pop_back();
+    };
+    if (is_read) {
+        std::ranges::copy(parts.numbers, next.numbers.begin());
+    } else {
+        keep_error();
+    }
+    next.may_be_paired = !by_key || find_key(next, is_read);
+    if (next.may_be_paired) {
+        pairable.push_back(&next);
+    } else {
+        keep_error();
     }
 }
 
-bool PairReader::Stream::find_key(Pairable& row, bool is_read) {
+bool PairReader::Stream::find_key(Waiting& row, bool is_read) {
     std::string made; // of a double
     std::optional<std::string_view> text;
     if (!is_read) {
-        text = reader.key(row.text, parts);
+        text = reader.key(row.line.text, parts);
     } else if (options->width > 0) {
         text = made = number_text(parts.kept[0]);
     } else {
@@ -137,7 +131,7 @@ void PairReader::Stream::fail_row() {
 
 void PairReader::Stream::dispose_row() {
     if (by_key) {
-        disposed = pairable.front().key;
+        disposed = pairable.front()->key;
     }
     pairable.pop_front();
 }
@@ -159,7 +153,9 @@ void PairReader::Stream::hold(std::size_t count, PairBlock& pairs) {
 
 PairReader::PairReader(Source& source, Source& reference, const Options& options, std::size_t block_size)
     : pairing_(&*options.pairing), writes_partners_(options.writes_partners()),
-      rows_(Side::stream, source, options, block_size), references_(Side::reference, reference, options, block_size) {}
+      rows_(Side::stream, source, options, block_size),
+      references_(Side::reference, reference, options, block_size), stats_{.interpolates = pairing_->interpolates,
+                                                                           .within = pairing_->within} {}
 
 bool PairReader::read(Job& job) {
     rows_.held = references_.held = 0;
@@ -220,24 +216,24 @@ void PairReader::hand_on_alone(Job& job, bool of_both) {
 }
 
 void PairReader::pair(Job& job, bool is_between) {
-    const Pairable& own = rows_.pairable.front();
-    const Pairable& other = references_.pairable.front();
-    const Pairable& later = is_between ? references_.pairable[1] : other;
+    const Waiting& own = *rows_.pairable.front();
+    const Waiting& other = *references_.pairable.front();
+    const Waiting& later = is_between ? *references_.pairable[1] : other;
     if (pairing_->looks_for_key && !pairing_->by_key && rows_.options->width == 0 && references_.options->width == 0) {
-        if (!any_pair_) {
+        if (!stats_.any_pair) {
             likely_key_.emplace(std::array{rows_.layout(), references_.layout()});
         }
-        likely_key_->add({own.text, other.text});
+        likely_key_->add({own.line.text, other.line.text});
     }
-    any_pair_ = true;
+    stats_.any_pair = true;
     ReadRows& read = job.pairs.read;
-    read.rows.emplace_back(rows_.waiting.front().line, own.number);
+    read.rows.emplace_back(own.line, own.number);
     Pair& pair = read.pairs.emplace_back(
-        Pair{{other.text, other.number}, {later.text, later.number}, own.key, other.key, std::string()});
+        Pair{{other.line.text, other.number}, {later.line.text, later.number}, own.key, other.key, std::string()});
     if (writes_partners_) {
         pair.partner_text = other.key_text.empty() ? number_text(other.kept) : trimmed(other.key_text);
     }
-    const Pairable* const wrong = own.error ? &own : other.error ? &other : &later;
+    const Waiting* const wrong = own.error ? &own : other.error ? &other : &later;
     if (wrong->error) {
         RowError error = *wrong->error;
         error.place = {own.number};
@@ -246,7 +242,7 @@ void PairReader::pair(Job& job, bool is_between) {
     } else {
         add_numbers(read, later);
     }
-    job.pairs.bytes += own.text.size() + other.text.size() + later.text.size();
+    job.pairs.bytes += own.line.text.size() + other.line.text.size() + later.line.text.size();
     rows_.hold(1, job.pairs);
     references_.hold(is_between ? references_.texts.size() : 1, job.pairs);
     rows_.drop_row(true);
@@ -255,13 +251,13 @@ void PairReader::pair(Job& job, bool is_between) {
     }
 }
 
-void PairReader::add_numbers(ReadRows& read, const Pairable& later) {
-    const Pairable& own = rows_.pairable.front();
-    const Pairable& other = references_.pairable.front();
-    const auto add = [](Numbers& to, const Pairable& row, const Stream& stream) {
+void PairReader::add_numbers(ReadRows& read, const Waiting& later) {
+    const Waiting& own = *rows_.pairable.front();
+    const Waiting& other = *references_.pairable.front();
+    const auto add = [](Numbers& to, const Waiting& row, const Stream& stream) {
         to.append(row.numbers.data(), row.numbers.data() + stream.layout()->count - stream.options->numbers.kept);
     };
-    const auto place_of = [&](const Pairable& row) { // it is one of the last two, or comes after them
+    const auto place_of = [&](const Waiting& row) { // it is one of the last two, or comes after them
         auto& lines = read.neighbour_lines;
         const auto last =
             std::find(lines.end() - std::min<std::ptrdiff_t>(std::ssize(lines), 2), lines.end(), row.number);
@@ -283,7 +279,7 @@ void PairReader::add_numbers(ReadRows& read, const Pairable& later) {
         read.parts.between.push_back(
             {earlier, place_of(later), distance(own.key, other.key), distance(later.key, other.key)});
     }
-    for (const Pairable* row : {&own, &other}) {
+    for (const Waiting* row : {&own, &other}) {
         if (pairing_->by_key) {
             read.parts.kept.push_back(row->kept);
         }
@@ -295,9 +291,9 @@ void PairReader::add_numbers(ReadRows& read, const Pairable& later) {
 
 void PairReader::drop_alone() {
     if (pairing_->by_key && !pairing_->interpolates) {
-        const Key& key = rows_.pairable.front().key;
+        const Key& key = rows_.pairable.front()->key;
         if (!references_.pairable.empty()) {
-            compare_distance(distance(references_.pairable.front().key, key));
+            compare_distance(distance(references_.pairable.front()->key, key));
         }
         if (references_.disposed) {
             compare_distance(distance(key, *references_.disposed));
@@ -310,13 +306,15 @@ void PairReader::drop_alone() {
     }
 }
 
-void PairReader::compare_distance(KeyDistance found) { nearest_ = std::min(nearest_.value_or(found), found); }
+void PairReader::compare_distance(KeyDistance found) {
+    stats_.nearest = std::min(stats_.nearest.value_or(found), found);
+}
 
 PairReader::Match PairReader::match(At row, At reference) {
     if (row == At::end || reference == At::end) {
         return row == At::end ? Match::reference_alone : Match::row_alone;
     }
-    if (!pairing_->by_key || rows_.pairable.front().key == references_.pairable.front().key) {
+    if (!pairing_->by_key || rows_.pairable.front()->key == references_.pairable.front()->key) {
         return Match::pair;
     }
     return pairing_->interpolates ? match_between() : match_nearest();
@@ -331,28 +329,28 @@ PairReader::At PairReader::look_ahead(Stream& stream) {
 }
 
 PairReader::Match PairReader::match_nearest() {
-    const bool is_before = rows_.pairable.front().key < references_.pairable.front().key;
+    const bool is_before = rows_.pairable.front()->key < references_.pairable.front()->key;
     Stream& low = is_before ? rows_ : references_;
     const Stream& high = is_before ? references_ : rows_;
     const Match low_alone = is_before ? Match::row_alone : Match::reference_alone;
-    const KeyDistance apart = distance(low.pairable.front().key, high.pairable.front().key);
+    const KeyDistance apart = distance(low.pairable.front()->key, high.pairable.front()->key);
     const bool has_other =
-        high.disposed && distance(low.pairable.front().key, *high.disposed) <= apart; // no farther away
+        high.disposed && distance(low.pairable.front()->key, *high.disposed) <= apart; // no farther away
     if (apart > pairing_->within || has_other) {
         return low_alone;
     }
     switch (look_ahead(low)) {
     case At::dry: return is_before ? Match::row_unknown : Match::reference_unknown;
     case At::too_far: return Match::ended;
-    case At::row: return distance(low.pairable[1].key, high.pairable.front().key) < apart ? low_alone : Match::pair;
+    case At::row: return distance(low.pairable[1]->key, high.pairable.front()->key) < apart ? low_alone : Match::pair;
     case At::end: break;
     }
     return Match::pair;
 }
 
 PairReader::Match PairReader::match_between() {
-    const Key& key = rows_.pairable.front().key;
-    if (key < references_.pairable.front().key) {
+    const Key& key = rows_.pairable.front()->key;
+    if (key < references_.pairable.front()->key) {
         return Match::row_alone;
     }
     switch (look_ahead(references_)) {
@@ -361,10 +359,10 @@ PairReader::Match PairReader::match_between() {
     case At::end: error_ = reference_error(); return error_ ? Match::ended : Match::row_alone; // it was not read
     case At::row: break;
     }
-    if (references_.pairable[1].key <= key) {
+    if (references_.pairable[1]->key <= key) {
         return Match::reference_alone;
     }
-    const KeyDistance apart = distance(references_.pairable[1].key, references_.pairable.front().key);
+    const KeyDistance apart = distance(references_.pairable[1]->key, references_.pairable.front()->key);
     if (apart > pairing_->within) {
         compare_distance(apart);
         return Match::row_alone;
@@ -386,12 +384,10 @@ PairReader::Stream* PairReader::act(Job& job, Match match) {
 }
 
 PairingStats PairReader::keys() const {
-    return {.ranges = {rows_.range, references_.range},
-            .any_pair = any_pair_,
-            .interpolates = pairing_->interpolates,
-            .nearest = nearest_,
-            .likely = likely_key_ ? likely_key_->found() : std::nullopt,
-            .within = pairing_->within};
+    PairingStats stats = stats_;
+    stats.ranges = {rows_.range, references_.range};
+    stats.likely = likely_key_ ? likely_key_->found() : std::nullopt;
+    return stats;
 }
 
 std::optional<StreamError> PairReader::error() const {

@@ -45,21 +45,14 @@ private:
     struct Waiting {
         Line line{};
         std::size_t number = 0;
-        bool may_be_paired = false;
         bool passes = false;
-        bool ends_text = false;            ///< it is the last line of a text
-        std::unique_ptr<RowError> error{}; ///< why it has no key or no partner
-    };
-
-    /// What was read of a line that may be paired.
-    struct Pairable {
-        std::string_view text{};
-        std::size_t number = 0; ///< the line's
+        bool ends_text = false; ///< it is the last line of a text
+        bool may_be_paired = false;
+        std::unique_ptr<RowError> error{}; ///< why it has no key or no partner, or, if it may be paired, no numbers
         Key key{};
         std::string_view key_text{}; ///< empty if it is a double
         double kept = 0.0;           ///< the key as a number
         std::array<double, most_numbers> numbers{};
-        std::unique_ptr<RowError> error{}; ///< why it has no numbers
     };
 
     /// Whether a row is at hand.
@@ -101,7 +94,7 @@ private:
         /// Takes a line off the text, and reads its key and its numbers.
         void take_line();
         /// Sets the key; false, with the error, if there is none.
-        [[nodiscard]] bool find_key(Pairable& row, bool is_read);
+        [[nodiscard]] bool find_key(Waiting& row, bool is_read);
         /// Leaves the next row, which has no partner, to be handed on with an error.
         void fail_row();
         void drop_row(bool is_paired);
@@ -126,7 +119,7 @@ private:
         std::size_t line = 1;
         bool ended = false; ///< there are no more blocks
         std::deque<Waiting> waiting;
-        std::deque<Pairable> pairable;            ///< what was read of the waiting lines that may be paired
+        std::deque<const Waiting*> pairable;      ///< those that may be paired
         std::size_t bytes_waiting = 0;            ///< size of the waiting lines
         std::optional<PairingStats::Range> range; ///< the first and the last key that increased
         std::optional<Key> disposed;              ///< the key of the last row that was paired, dropped or failed
@@ -143,7 +136,7 @@ private:
     /// Pairs the first rows. `is_between`: the row lies between the first two of the reference.
     void pair(Job& job, bool is_between);
     /// Adds the numbers of a pair whose rows have them.
-    void add_numbers(ReadRows& read, const Pairable& later);
+    void add_numbers(ReadRows& read, const Waiting& later);
     /// Drops FILE's next row, which has no partner, or leaves it to be handed on with an error.
     void drop_alone();
     void compare_distance(KeyDistance found);
@@ -156,10 +149,9 @@ private:
     bool writes_partners_;
     Stream rows_;
     Stream references_;
-    bool any_pair_ = false;
-    std::optional<KeyDistance> nearest_; ///< smallest distance of a key without a partner to its neighbours
-    Job reference_job_;                  ///< memory for the reference's blocks
-    Stream* dry_ = nullptr;              ///< the stream that had no row at hand at the end of the last job
+    PairingStats stats_;    ///< so far
+    Job reference_job_;     ///< memory for the reference's blocks
+    Stream* dry_ = nullptr; ///< the stream that had no row at hand at the end of the last job
     std::optional<StreamError> error_;
     std::optional<LikelyKey> likely_key_; ///< for text paired by number, from the first pair on
 };

@@ -38,34 +38,19 @@ struct InterpolatedPair {
     [[nodiscard]] bool is_at_row() const noexcept { return earlier == later; }
 };
 
-/// Rows that have their numbers, in the order of the stream.
-struct NumberRows {
-    std::span<const double> numbers;                ///< row by row, without the kept ones
-    std::span<const std::size_t> lines;             ///< the rows' lines
-    std::span<const double> kept{};                 ///< the kept numbers, row by row
-    std::span<const std::string_view> keys{};       ///< their texts; empty if rows are doubles
-    std::span<const std::size_t> reference_lines{}; ///< the partners' lines; empty without a reference
-    std::span<const double> neighbours{};           ///< the rows of a reference that is interpolated, each once
-    std::span<const InterpolatedPair> between{};    ///< where each row is among them
-    bool are_last = true;                           ///< no row may wait for later rows
-};
-
 /// Grows without setting its new elements, which are then read into.
 using Numbers = fmt::basic_memory_buffer<double, 64>;
 
-/// Memory for rows that have their numbers, see NumberRows.
-struct HeldRows {
-    Numbers numbers;
-    std::vector<std::size_t> lines;
-    Numbers kept;
-    std::vector<std::string_view> keys; ///< views into the block's text
-    std::vector<std::size_t> reference_lines;
-    Numbers neighbours;
-    std::vector<InterpolatedPair> between;
-
-    [[nodiscard]] NumberRows view() const noexcept {
-        return {numbers, lines, kept, keys, reference_lines, neighbours, between};
-    }
+/// Rows that have their numbers, in the order of the stream.
+struct NumberRows {
+    Numbers numbers;                          ///< row by row, without the kept ones
+    std::vector<std::size_t> lines;           ///< the rows' lines
+    Numbers kept;                             ///< the kept numbers, row by row
+    std::vector<std::string_view> keys;       ///< their texts in the block; empty if rows are doubles
+    std::vector<std::size_t> reference_lines; ///< the partners' lines; empty without a reference
+    Numbers neighbours;                       ///< the rows of a reference that is interpolated, each once
+    std::vector<InterpolatedPair> between;    ///< where each row is among them
+    bool are_last = true;                     ///< no row may wait for later rows
 };
 
 /// Calls `what` once all blocks before have come to their call of it; each block does so once.
@@ -121,7 +106,7 @@ struct RowOperation {
 
 /// Rows that were answered together, and their results, of the operation's width() numbers each, nan if the row's
 /// report has an error.
-struct AnsweredRows : HeldRows {
+struct AnsweredRows : NumberRows {
     std::vector<double> results;
     std::vector<RowReport> reports;
 };

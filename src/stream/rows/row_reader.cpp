@@ -116,15 +116,16 @@ std::string_view keep_scanned(const Layout& layout, std::size_t kept, const char
 
 } // namespace
 
-std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) const {
+bool RowReader::scan(std::string_view text, Row& row, RowParts& to) const {
     const std::size_t first = to.numbers.size();
     if (options_->width > 0) {
-        const Line row = next_row(text, options_->width);
-        add_doubles(row.text, to.numbers);
+        row.line = next_row(text, options_->width);
+        row.numbers = row.line.text;
+        add_doubles(row.line.text, to.numbers);
         for (std::size_t i = 0; i < options_->numbers.kept; ++i) {
             to.keep(first);
         }
-        return ScannedRow{row, row.text};
+        return true;
     }
     const bool is_whole = layout_->is_whole;
     const char* const text_end = text.data() + text.size();
@@ -139,7 +140,7 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
     const char* const first_number =
         begin != nullptr && by_key_ ? behind_key(layout_->delimiter, {begin, line_end}) : begin;
     if (first_number == nullptr) {
-        return std::nullopt;
+        return false;
     }
     const auto order = std::span(layout_->number_of_field).subspan(by_key_ ? 1 : 0);
     to.numbers.resize(first + layout_->count);
@@ -159,9 +160,27 @@ std::optional<ScannedRow> RowReader::scan(std::string_view text, RowParts& to) c
     }
     if (!is_plain) {
         to.numbers.resize(first);
-        return std::nullopt;
+        return false;
     }
-    return ScannedRow{line, keep_scanned(*layout_, options_->numbers.kept, begin, last, first, to)};
+    row.line = line;
+    row.numbers = keep_scanned(*layout_, options_->numbers.kept, begin, last, first, to);
+    return true;
+}
+
+bool RowReader::take_line(std::string_view& text, Row& row, RowParts& to) const {
+    row.line = next_line(text);
+    row.passes = !options_->is_row(row.line.text);
+    if (row.passes) {
+        return false;
+    }
+    const std::size_t first_number = to.numbers.size();
+    row.first_field = to.fields.size();
+    const bool is_read = read(row.line.text, to);
+    row.field_count = to.fields.size() - row.first_field;
+    if (!is_read) {
+        to.numbers.resize(first_number);
+    }
+    return is_read;
 }
 
 bool RowReader::read(std::string_view row, RowParts& to) const {

@@ -14,7 +14,7 @@
 namespace rotconv::stream {
 
 /// What was read of the rows of a batch, one after the other.
-struct RowParts : HeldRows {
+struct RowParts : NumberRows {
     std::vector<std::string_view> fields; ///< of the rows whose fields were looked for
     RowError error;                       ///< of the row that failed last, without its line
 
@@ -38,10 +38,23 @@ struct RowParts : HeldRows {
     }
 };
 
-/// A row that was not split into fields.
-struct ScannedRow {
+/// A row of a stream.
+struct Row {
+    // Without a constructor all bytes would be cleared first, which takes longer than what it does.
+    explicit Row(const Line& line_ = {}, std::size_t number_ = 0) noexcept : line(line_), number(number_) {}
+
     Line line;
-    std::string_view numbers; ///< the part of the line that they are
+    std::size_t number;              ///< the line's; 0 if there is only a row of the reference
+    bool passes = false;             ///< blank or comment: goes out as it is
+    const RowError* error = nullptr; ///< why it has no numbers, or no partner
+    // Set when the row is read:
+    std::string_view numbers{}; ///< their text, if the row was scanned without looking for fields
+    std::size_t first_field = 0;
+    std::size_t field_count = 0;
+    std::size_t index = 0; ///< its place among the rows with numbers
+
+    [[nodiscard]] bool is_scanned() const noexcept { return numbers.data() != nullptr; }
+    [[nodiscard]] bool has_numbers() const noexcept { return !passes && error == nullptr; }
 };
 
 /// Reads the numbers of a row.
@@ -54,13 +67,17 @@ public:
     /// From here on rows of another width are errors, unless the options take them.
     void expect(const RowWidth& width) noexcept { width_ = options_->ragged ? RowWidth() : width; }
 
-    /// Adds what is read of the row that begins the text, but not its fields, in one scan, if it is of doubles, or as
-    /// most are: the numbers stand side by side without blanks around them, and it has no quotes.
-    /// @return nothing, and nothing is added, for any other row
-    [[nodiscard]] std::optional<ScannedRow> scan(std::string_view text, RowParts& to) const;
-    /// Adds what is read of a row of text, and its fields.
-    /// @return false where `to.error` says why there are no numbers; fields and numbers may be there
-    [[nodiscard]] bool read(std::string_view row, RowParts& to) const;
+    /// Takes a row off the text, and adds what is read of it. Its fields are looked for only where one scan does not
+    /// do.
+    /// @return whether it has numbers; otherwise it passes, or `to.error` says why, without its place
+    [[nodiscard]] bool take(std::string_view& text, Row& row, RowParts& to) const {
+        const bool is_comment = options_->width == 0 && options_->is_comment(text);
+        if (is_comment || !scan(text, row, to)) {
+            return take_line(text, row, to);
+        }
+        text.remove_prefix(row.line.text.size() + row.line.end.size());
+        return true;
+    }
     /// The text of the first number of a row of text, which is a key; nothing where `to.error` says why.
     [[nodiscard]] std::optional<std::string_view> key(std::string_view row, RowParts& to) const;
     /// A key as it is compared.
@@ -69,6 +86,15 @@ public:
     [[nodiscard]] std::string selected_text(std::string_view row) const;
 
 private:
+    /// Adds what is read of the row that begins the text, but not its fields, in one scan, if it is of doubles, or as
+    /// most are: the numbers stand side by side without blanks around them, and it has no quotes.
+    /// @return false, and nothing is added, for any other row
+    [[nodiscard]] bool scan(std::string_view text, Row& row, RowParts& to) const;
+    /// The same for a line that was not scanned.
+    [[nodiscard]] bool take_line(std::string_view& text, Row& row, RowParts& to) const;
+    /// Adds what is read of a row of text, and its fields.
+    /// @return false where `to.error` says why there are no numbers; fields and numbers may be there
+    [[nodiscard]] bool read(std::string_view row, RowParts& to) const;
     /// Adds the row's fields; false, with an error, where not all of those needed are there.
     [[nodiscard]] bool split(std::string_view row, std::span<const std::size_t> needed, RowParts& to) const;
     void add_doubles(std::string_view row, Numbers& numbers) const;

@@ -1,23 +1,54 @@
 #include "row_transformer.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <limits>
+#include <numeric>
 #include <utility>
 
-#include "row_events.hpp"
-
 namespace rotconv::stream {
+namespace {
+
+/// Adds the diagnostics of the row's result, those of a row and of its partner separately.
+/// @param operation outlives the events
+void add_diagnostics(std::vector<Event>& events, std::size_t line, const Pair& pair, const RowReport& report,
+                     const RowOperation& operation) {
+    for_each_diagnostic(report, line, [&](Diagnostic diagnostic) {
+        diagnostic.unit = diagnostic.kind == DiagnosticKind::beyond ? operation.unit : "";
+        const std::array<std::pair<const UnusualNumbers*, Place>, 3> attitudes{
+            {{&report.references[0].unusual, {pair.partner.number, Side::reference}},
+             {&report.references[1].unusual, {pair.later.number, Side::reference}},
+             {&report.unusual, {line}}}};
+        bool is_told = false;
+        for (const auto& [unusual, place] : attitudes) {
+            if (const double figure = unusual->figure_of(diagnostic.kind); pair.partner.number > 0 && figure > 0.0) {
+                events.emplace_back(Diagnostic{.place = place, .kind = diagnostic.kind, .figure = figure});
+                is_told = true;
+            }
+        }
+        if (!is_told) {
+            events.emplace_back(diagnostic);
+        }
+    });
+}
+
+} // namespace
 
 RowTransformer::RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout)
     : options_(&options), layout_(&layout),
       operation_(options.operation->in_order ? options.operation : std::make_shared<RowOperation>(*options.operation)),
-      width_(operation_->width()), gathered_(options, layout, reference_layout), writer_(options, layout),
+      width_(operation_->width()), readers_{RowReader(options.input, layout)}, writer_(options, layout),
       are_doubles_alone_(options.input.width > 0 && options.format == Format::f64 && writer_.writes_results_alone() &&
                          !writer_.has_open_ends() && !options.fold && options.writes_rows),
-      nans_(width_, std::numeric_limits<double>::quiet_NaN()) {}
+      nans_(width_, std::numeric_limits<double>::quiet_NaN()) {
+    if (reference_layout != nullptr) {
+        readers_.emplace_back(options.pairing->reference, *reference_layout);
+    }
+}
 
 void RowTransformer::transform(ReadRows& pairs, Output& output, const Ordered& ordered) {
-    gathered_.take(pairs);
+    std::swap(read_, pairs);
     answer(true, output, ordered);
     finish_batch({}, output);
 }
@@ -35,19 +66,19 @@ void RowTransformer::transform(std::string_view text, std::size_t line, Output& 
     for (std::size_t limit = rows_at_once(); !text.empty() && !output.stopped;) {
         const std::string_view all = text;
         if (are_doubles_alone_) {
-            gathered_.gather_numbers(text, line, limit);
+            gather_numbers(text, line, limit);
         } else {
-            gathered_.gather(text, line, limit, limit == every_row ? text.size() : most_waiting);
+            gather(text, line, limit, limit == every_row ? text.size() : most_waiting);
         }
         const bool is_whole = text.empty();
-        const bool at_error = options_->on_error == OnError::stop && gathered_.has_error();
+        const bool at_error = options_->on_error == OnError::stop && !read_.errors.empty();
         std::size_t answered = answer(at_error || (is_end && is_whole), output, ordered);
         if (answered == 0 && all.size() - text.size() >= most_waiting) {
             answered = answer(true, output, ordered);
         }
-        if (answered < gathered_.count()) {
-            line = gathered_.numbers().lines[answered];
-            text = all.substr(static_cast<std::size_t>(gathered_.drop_from(answered) - all.data()));
+        if (answered < read_.parts.lines.size()) {
+            line = read_.parts.lines[answered];
+            text = all.substr(static_cast<std::size_t>(drop_from(answered) - all.data()));
         }
         finish_batch(all, output);
         if (is_whole) {
@@ -55,15 +86,59 @@ void RowTransformer::transform(std::string_view text, std::size_t line, Output& 
             waiting_line_ = line;
             return;
         }
-        limit = answered == 0 && gathered_.rows().empty() ? 2 * limit : rows_at_once();
+        limit = answered == 0 && read_.rows.empty() ? 2 * limit : rows_at_once();
     }
 }
 
+void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size_t most_rows, std::size_t most_bytes) {
+    read_.clear();
+    const std::size_t size = text.size();
+    while (!text.empty() && read_.rows.size() < most_rows && size - text.size() < most_bytes) {
+        Row& row = read_.rows.emplace_back(Line(), line++);
+        row.index = read_.parts.lines.size();
+        if (readers_[0].take(text, row, read_.parts)) {
+            read_.parts.lines.push_back(row.number);
+        } else if (!row.passes) {
+            read_.parts.error.place = {row.number};
+            read_.fail(std::exchange(read_.parts.error, {}));
+            if (options_->on_error == OnError::stop) {
+                return;
+            }
+        }
+    }
+}
+
+void RowTransformer::gather_numbers(std::string_view& doubles, std::size_t& line, std::size_t most_rows) {
+    read_.clear();
+    read_.parts.lines.resize(std::min(most_rows, doubles.size() / (layout_->count * sizeof(double))));
+    std::iota(read_.parts.lines.begin(), read_.parts.lines.end(), line);
+    line += read_.parts.lines.size();
+    read_.parts.numbers.resize(read_.parts.lines.size() * layout_->count);
+    const std::size_t size = read_.parts.numbers.size() * sizeof(double);
+    std::memcpy(read_.parts.numbers.data(), doubles.data(), size);
+    doubles.remove_prefix(size);
+}
+
+void RowTransformer::add_rows(std::string_view doubles) {
+    for (const std::size_t number : read_.parts.lines) {
+        Row& row = read_.rows.emplace_back(next_row(doubles, options_->input.width), number);
+        row.numbers = row.line.text;
+        row.index = read_.rows.size() - 1;
+    }
+}
+
+const char* RowTransformer::drop_from(std::size_t index) {
+    const auto first =
+        std::ranges::find_if(read_.rows, [index](const Row& row) { return row.has_numbers() && row.index == index; });
+    const char* const begin = first->line.text.data();
+    read_.rows.erase(first, read_.rows.end());
+    return begin;
+}
+
 std::size_t RowTransformer::answer(bool flush, Output& output, const Ordered& ordered) {
-    results_.resize(gathered_.count() * width_);
-    NumberRows rows = gathered_.numbers();
-    rows.are_last = flush;
-    return operation_->run(rows, results_, reports_, [&](const auto& what) {
+    results_.resize(read_.parts.lines.size() * width_);
+    read_.parts.are_last = flush;
+    return operation_->run(read_.parts, results_, reports_, [&](const auto& what) {
         if (!ordered || operation_->in_order) { // with in_order there is one thread
             what();
         } else {
@@ -76,24 +151,24 @@ std::size_t RowTransformer::answer(bool flush, Output& output, const Ordered& or
 void RowTransformer::finish_batch(std::string_view text, Output& output) {
     if (are_doubles_alone_ && reports_.empty() && !output.stopped) {
         append_bytes(output.bytes, results_);
-        output.rows += gathered_.count();
-        output.answered += gathered_.count();
+        output.rows += read_.parts.lines.size();
+        output.answered += read_.parts.lines.size();
         return;
     }
     if (are_doubles_alone_) {
-        gathered_.add_rows(text);
+        add_rows(text);
     }
     write(output);
-    if (options_->fold && gathered_.count() > 0) { // operations with a fold answer all rows at once
-        output.batches.push_back(
-            {std::exchange(gathered_.held(), HeldRows()), std::exchange(results_, {}), std::exchange(reports_, {})});
+    if (options_->fold && read_.parts.lines.size() > 0) { // operations with a fold answer all rows at once
+        output.batches.push_back({std::exchange(static_cast<NumberRows&>(read_.parts), NumberRows()),
+                                  std::exchange(results_, {}), std::exchange(reports_, {})});
     }
 }
 
 void RowTransformer::write(Output& output) {
     next_report_ = 0;
-    auto& rows = gathered_.rows();
-    const bool is_clean = rows.size() == gathered_.count() && reports_.empty();
+    auto& rows = read_.rows;
+    const bool is_clean = rows.size() == read_.parts.lines.size() && reports_.empty();
     if (is_clean && !options_->writes_rows) {
         output.rows += rows.size();
         output.answered += rows.size();
@@ -129,15 +204,15 @@ void RowTransformer::write_row(Row& row, Output& output) {
     const bool is_ours = row.number > 0;          // otherwise it is only an error of the reference
     output.rows += is_ours ? 1 : 0;
     if (is_ours && options_->writes_rows && layout_->has_other_fields()) {
-        gathered_.split(row);
+        split(row);
     }
     if (options_->writes_partners()) {
-        write_partner(gathered_.pair_of(row));
+        write_partner(pair_of(row));
     }
     const RowReport& report = report_of(row);
     const bool failed = !row.has_numbers() || report.error != Error::none;
     if (failed) {
-        const RowError error = gathered_.error_of(row, report, given);
+        const RowError error = error_of(row, report, given);
         if (error.what == RowError::What::no_partner && !options_->pairing->needs_partner) {
             output.unpaired.add({1, row.number});
             return;
@@ -151,7 +226,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
     if (options_->writes_rows) {
         writer_.write(output.bytes, {.line = row.line,
                                      .number = row.number,
-                                     .fields = gathered_.fields_of(row),
+                                     .fields = std::span(read_.parts.fields).subspan(row.first_field, row.field_count),
                                      .result = failed ? std::span<const double>(nans_)
                                                       : std::span(results_).subspan(row.index * width_, width_),
                                      .report = &report,
@@ -160,7 +235,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
     }
     if (!failed) {
         ++output.answered;
-        add_diagnostics(output.events, row.number, gathered_.pair_of(row), report, *options_->operation);
+        add_diagnostics(output.events, row.number, pair_of(row), report, *options_->operation);
     }
 }
 
@@ -177,6 +252,87 @@ void RowTransformer::write_partner(const Pair& pair) {
 const RowReport& RowTransformer::report_of(const Row& row) noexcept {
     static constexpr RowReport nothing{};
     return is_reported(row) ? reports_[next_report_++] : nothing;
+}
+
+const Pair& RowTransformer::pair_of(const Row& row) const noexcept {
+    static const Pair none;
+    return read_.pairs.empty() ? none : read_.pairs[static_cast<std::size_t>(&row - read_.rows.data())];
+}
+
+RowError RowTransformer::error_of(const Row& row, const RowReport& report, std::string_view given) const {
+    if (row.error != nullptr) {
+        return *row.error;
+    }
+    if (options_->pairing && report.error == Error::past_half_turn) { // between neighbours half a turn apart
+        return {.place = {row.number},
+                .what = RowError::What::no_partner,
+                .text = std::string(given),
+                .error = report.error};
+    }
+    const Pair& pair = pair_of(row);
+    const bool is_partner = report.at_fault > 0 && pair.partner.number > 0;
+    const bool is_second = report.at_fault > 0 && !options_->pairing; // of the attitudes of a row
+    const Partner& at = report.at_fault == 2 ? pair.later : pair.partner;
+    const Side side = is_partner ? Side::reference : Side::stream;
+    const std::string_view text = is_partner ? at.text : given;
+    return {.place = {row.number},
+            .cause = {is_partner ? at.number : 0, Side::reference},
+            .what = RowError::What::attitude,
+            .text = readers_[index_of(side)].selected_text(text),
+            .error = report.error,
+            .defect = report.defect,
+            .norm = report.error == Error::defect && !is_second ? norm_of(side, text) : 0.0};
+}
+
+double RowTransformer::norm_of(Side side, std::string_view row) const {
+    const RowNumbers& read = (side == Side::stream ? options_->input : options_->pairing->reference).numbers;
+    if (!read.attitude || read.attitude->name != RepresentationId::quat) {
+        return 0.0;
+    }
+    Row again;
+    RowParts parts;
+    static_cast<void>(readers_[index_of(side)].take(row, again, parts));
+    const Numbers& q = parts.numbers;
+    return std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+}
+
+void RowTransformer::split(Row& row) {
+    if (options_->input.width > 0) {
+        split_doubles(row);
+    } else if (row.field_count == 0) {
+        row.first_field = read_.parts.fields.size();
+        static_cast<void>(layout_->delimiter.split(row.line.text, read_.parts.fields));
+        row.field_count = read_.parts.fields.size() - row.first_field;
+    }
+}
+
+void RowTransformer::split_doubles(Row& row) {
+    const std::string_view bytes = row.line.text;
+    constexpr std::size_t room = 40; // for a number and the delimiter, so that the text never moves
+    const std::size_t width = options_->input.width;
+    read_.parts.fields.clear();
+    row.first_field = 0;
+    row.field_count = width;
+    made_.clear();
+    made_.reserve(room * (width + 1));
+    for (std::size_t i = 0; i < width; ++i) {
+        const std::string_view field = bytes.substr(i * sizeof(double), sizeof(double));
+        if (options_->format == Format::f64) {
+            read_.parts.fields.push_back(field);
+            continue;
+        }
+        if (i > 0) {
+            made_.push_back(layout_->delimiter.text());
+        }
+        double number = 0.0;
+        std::memcpy(&number, field.data(), sizeof(double));
+        const std::size_t begin = made_.size();
+        append_number(made_, number, {});
+        read_.parts.fields.emplace_back(made_.data() + begin, made_.size() - begin);
+    }
+    if (options_->format != Format::f64) {
+        row.line.text = {made_.data(), made_.size()};
+    }
 }
 
 } // namespace rotconv::stream

@@ -11,8 +11,8 @@
 #include "../event.hpp"
 #include "../job.hpp"
 #include "../options.hpp"
-#include "gathered_rows.hpp"
 #include "layout.hpp"
+#include "row_reader.hpp"
 #include "row_writer.hpp"
 
 namespace rotconv::stream {
@@ -24,7 +24,7 @@ public:
     RowTransformer(const Options& options, const Layout& layout, const Layout* reference_layout = nullptr);
 
     /// Sets the width of the rows that follow.
-    void expect(const RowWidth& width) noexcept { gathered_.expect(width); }
+    void expect(const RowWidth& width) noexcept { readers_[0].expect(width); }
     /// Adds the output of the rows of `text`, whole lines from line `line` on. The results of a continuous operation
     /// are made continuous once, for all rows of the text, by `ordered` if it is given. `is_end`: no row may wait.
     void transform(std::string_view text, std::size_t line, Output& output, const Ordered& ordered = {},
@@ -43,6 +43,15 @@ private:
     [[nodiscard]] std::size_t rows_at_once() const noexcept {
         return operation_->is_continuous() && !operation_->in_order ? every_row : batch_rows;
     }
+    /// Takes rows off the text, up to `most_rows` and `most_bytes`; with OnError::stop none after an error.
+    void gather(std::string_view& text, std::size_t& line, std::size_t most_rows, std::size_t most_bytes);
+    /// Reads doubles that hold only the numbers, up to `most_rows`; there are no rows then.
+    void gather_numbers(std::string_view& doubles, std::size_t& line, std::size_t most_rows);
+    /// Adds the rows whose numbers were taken off these doubles.
+    void add_rows(std::string_view doubles);
+    /// Drops the rows from that index on, which are left to a later batch.
+    /// @return where the text of the first begins
+    const char* drop_from(std::size_t index);
     /// Runs the operation on the rows that have numbers; returns how many are answered, see RowOperation::run().
     std::size_t answer(bool flush, Output& output, const Ordered& ordered);
     /// Writes the rows, which were taken off the text, and hands them over with their results if there is a fold.
@@ -55,6 +64,16 @@ private:
     }
     /// The report on the row's result, empty if there is none; to be called for each row in order.
     [[nodiscard]] const RowReport& report_of(const Row& row) noexcept;
+    /// The pair of one of the rows; an empty one without a reference.
+    [[nodiscard]] const Pair& pair_of(const Row& row) const noexcept;
+    /// The error of a row without a result. `given`: the row as it was read.
+    [[nodiscard]] RowError error_of(const Row& row, const RowReport& report, std::string_view given) const;
+    /// The norm of the quaternion of a row; 0 if the attitude is not a quaternion.
+    [[nodiscard]] double norm_of(Side side, std::string_view row) const;
+    /// Looks for the fields of a row, unless they are known. A binary row's fields are its numbers' bytes, or their
+    /// text if the output is text: the row becomes that text.
+    void split(Row& row);
+    void split_doubles(Row& row);
     /// Sets `partner_` for a row.
     void write_partner(const Pair& pair);
 
@@ -62,12 +81,14 @@ private:
     const Layout* layout_;
     std::shared_ptr<RowOperation> operation_; ///< a copy, as it may have its own working memory
     std::size_t width_;                       ///< numbers of a result
-    GatheredRows gathered_;
+    std::vector<RowReader> readers_;          ///< by Side
     RowWriter writer_;
     bool are_doubles_alone_;       ///< doubles in and only the result out: rows are looked at if one has a report
     std::string waiting_;          ///< rows of earlier blocks that are not yet answered
     std::size_t waiting_line_ = 0; ///< the line of the first of them
-    // One batch, reused:
+    // One batch, reused: once it has grown, nothing is allocated for a row without an error.
+    ReadRows read_;
+    Buffer made_; ///< the text of a binary row
     std::vector<double> results_;
     std::vector<RowReport> reports_; ///< one for each remarkable row
     std::size_t next_report_ = 0;    ///< index of the first report that is not yet written

@@ -13,7 +13,6 @@
 #include "../../core/representations/codec.hpp"
 #include "../../core/text.hpp"
 #include "../numbers/json.hpp"
-#include "row_events.hpp"
 
 namespace rotconv::stream {
 namespace {
@@ -166,6 +165,21 @@ void write_columns(Buffer& to, const Layout& layout, const HeaderLine& line, con
 }
 
 } // namespace
+
+double figure_of(const RowReport& report, const Sensitivity& sensitivity, DiagnosticKind kind) noexcept {
+    switch (kind) {
+    case DiagnosticKind::normalized:
+    case DiagnosticKind::axis_length:
+    case DiagnosticKind::large_angle:
+        return std::max({report.unusual.figure_of(kind), report.references[0].unusual.figure_of(kind),
+                         report.references[1].unusual.figure_of(kind)});
+    case DiagnosticKind::near_gimbal_lock: return sensitivity.condition;
+    case DiagnosticKind::method_error:
+    case DiagnosticKind::coarse_step:
+    case DiagnosticKind::beyond: return report.deviation;
+    default: return sensitivity.margin;
+    }
+}
 
 std::vector<std::string> result_keys(const Options& options, const Layout& layout, Delimiter delimiter) {
     std::vector<std::string> keys;
