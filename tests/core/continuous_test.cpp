@@ -321,19 +321,6 @@ TEST_CASE("of equally near numbers the canonical ones stay") {
     CHECK(continuous(vector, vector, {0, 0, 90, 0, 0, -90}) == Numbers{0, 0, 90, 0, 0, -90});
 }
 
-// Catches numbers of a failed row, nan, that become the last ones.
-TEST_CASE("a row without a result changes nothing for the next") {
-    const auto degrees = accuracy::spec("rpy:deg");
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const auto result =
-        continuous(degrees, degrees, {nan, 0, 0, 0, 0, 170, nan, 0, 0, 0, 0, 190, 0, nan, 0, 0, 0, 540});
-    CHECK(std::isnan(result[0]));
-    CHECK(row_of(degrees, result, 1) == Numbers{0, 0, 170});
-    CHECK(std::isnan(result[6]));
-    CHECK(row_of(degrees, result, 3) == Numbers{0, 0, 190});
-    CHECK(row_of(degrees, result, 5) == Numbers{0, 0, 180});
-}
-
 // Catches a number that is rounded from 106 bits where its whole turn takes it next to the midpoint of two doubles: a
 // third of these rows. h/k is a convergent of the tangent of half the angle that is the midpoint less a turn.
 TEST_CASE("numbers that whole turns move are rounded once, next to midpoints too") {

@@ -232,44 +232,6 @@ TEST_CASE("one wide row is enough, and its candidates all differ") {
           "euler:zxz:deg:passive 123");
 }
 
-// Catches one of them read as the other.
-TEST_CASE("the pairs that are mixed up are told apart") {
-    const auto attitudes = wide_attitudes(3);
-    const auto of = [&](std::string_view text, const Columns& columns, std::string_view known = "dcm") {
-        return identified(rows_of(attitudes, spec(text), columns, spec(known)), columns.size(), known);
-    };
-    CHECK(of("quat:xyzw", {0, 1, 2, 3}) == "quat:xyzw 1234");
-    CHECK(of("quat", {0, 1, 2, 3}) == "quat 1234");
-    CHECK(of("euler:ZYX", {0, 1, 2}) == "euler:ZYX 123");
-    CHECK(of("euler:zyx", {0, 1, 2}) == "euler:zyx 123");
-    CHECK(of("rpy:deg", {0, 1, 2}, "quat") == "rpy:deg 123");
-    CHECK(of("rpy", {0, 1, 2}, "quat") == "rpy 123");
-    CHECK(of("dcm", identity_order(9), "quat") == "dcm 123456789");
-    CHECK(of("dcm:passive", identity_order(9), "quat") == "dcm:col 123456789");
-    CHECK(of("euler:ZYX:deg", {2, 1, 0}) == "rpy:deg 123");       // listed as roll, pitch, yaw
-    CHECK(of("euler:ZXZ:deg", {0, 1, 2}) == "euler:ZXZ:deg 123"); // Bunge
-    CHECK(of("euler:ZYZ:deg", {0, 1, 2}) == "euler:ZYZ:deg 123"); // Roe
-    // Hamilton's quaternion of a matrix is the JPL one of its transpose
-    CHECK(of("quat:trawny", {0, 1, 2, 3}, "dcm:trawny") == "quat:xyzw 1234");
-    CHECK(of("quat:xyzw", {0, 1, 2, 3}, "dcm:passive") == "quat:xyzw 1234");
-    CHECK(of("quat:xyzw:passive", {0, 1, 2, 3}, "dcm") == "quat:xyzw:passive 1234");
-}
-
-// Catches limits for exact numbers alone.
-TEST_CASE("six digits are enough") {
-    const auto attitudes = wide_attitudes(50);
-    for (const char* text : {"euler:YZY:deg:passive", "rotvec", "quat:xyzw", "dcm:col", "6d:passive", "5d"}) {
-        INFO(text);
-        auto rows = rows_of(attitudes, spec(text), identity_order(spec(text).size()), spec("quat"));
-        for (Row& row : rows) {
-            for (double& number : row) {
-                number = std::stod(std::to_string(number)); // six digits after the point
-            }
-        }
-        CHECK(identified(rows, spec(text).size(), "quat") == called(spec(text), identity_order(spec(text).size())));
-    }
-}
-
 // Catches an angle that is taken from the angles' differences. Yaw - roll is all that counts.
 TEST_CASE("rows at gimbal lock tell what they can") {
     std::vector<Row> rows;
@@ -335,23 +297,6 @@ TEST_CASE("narrow rows are ambiguous, and it is said why") {
     CHECK(identified(wide, 3) == "rpy:deg 123");
 }
 
-// Catches the least bad candidate taken for the answer.
-TEST_CASE("numbers that fit nothing are called so") {
-    auto rows = rows_of(wide_attitudes(5), spec("rpy"), {0, 1, 2});
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        rows[i][0] = 0.1 * static_cast<double>(i);
-        rows[i][1] = 0.3;
-    }
-    Identification identification(3, spec("dcm"));
-    add(identification, rows);
-    CHECK(identification.verdict().fitting == 0);
-    CHECK(identification.verdict().ambiguity == Verdict::Ambiguity::nothing);
-    CHECK(identification.rows() == 5);
-    const Identification nothing(3, spec("dcm"));
-    CHECK(nothing.verdict().fitting == 0);
-    CHECK(nothing.rows() == 0);
-}
-
 // Catches a table sorted by the last angle alone.
 TEST_CASE("a candidate that fits but for one late row stands before those that never fit") {
     auto rows = rows_of(wide_attitudes(300), spec("euler:YXZ"), {0, 1, 2});
@@ -364,26 +309,6 @@ TEST_CASE("a candidate that fits but for one late row stands before those that n
     CHECK(best.rows == 251);
     CHECK(best.angle_row == 251);
     CHECK(best.angle == Approx(2.0));
-}
-
-// Catches a figure in other units, and the line of another row.
-TEST_CASE("the angle is that between the attitudes") {
-    auto rows = rows_of(wide_attitudes(20), spec("rotvec"), {0, 1, 2}, spec("quat"));
-    for (const auto& [at, angle] : {std::pair(std::size_t{7}, 1e-5), std::pair(std::size_t{12}, 3e-4)}) {
-        const auto known = std::span(rows[at]).subspan(3);
-        const auto turned = oracle::about({0, 0, 1}, angle) * oracle::attitude(Spec{}, known);
-        std::ranges::copy(oracle::numbers(Spec{}, turned), known.begin());
-    }
-    Identification identification(3, spec("quat"));
-    add(identification, rows);
-    const Candidate best = identification.best_first().front();
-    CHECK(text_of(best) == "rotvec 123");
-    CHECK(best.angle == Approx(3e-4).epsilon(1e-10));
-    CHECK(best.angle_row == 13);
-    CHECK(best.rows == 20);
-    Identification strict(3, spec("quat"), {}, {.within = 2e-4});
-    add(strict, rows);
-    CHECK(strict.verdict().fitting == 0);
 }
 
 // Catches a bad row that drives the right candidate out, and a row that is counted all the same.

@@ -67,20 +67,3 @@ TEST_CASE("an alias means the same as its name") {
         }
     }
 }
-
-// Catches a block loop that mixes rows up at its border.
-TEST_CASE("rows in blocks come out as rows one by one") {
-    const auto from = accuracy::spec("quat:xyzw");
-    const auto to = accuracy::spec("dcm:col:passive");
-    const auto rows = accuracy::inputs(from, to, 100);
-    std::vector<double> in;
-    for (const auto& row : rows) {
-        in.insert(in.end(), row.begin(), row.end());
-    }
-    const auto out = accuracy::converted(from, to, in, {.tolerance = 1e300, .lock_margin = 0.0}).numbers;
-    const auto one = accuracy::own(from, to);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const auto expected = one(rows[i]);
-        CHECK(std::equal(expected.begin(), expected.end(), out.begin() + static_cast<std::ptrdiff_t>(9 * i)));
-    }
-}

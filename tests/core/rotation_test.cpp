@@ -71,3 +71,17 @@ TEST_CASE("a sequence literal is a constant") {
     static_assert(EulerSequence("ZXZ").proper());
     CHECK(sequence == *EulerSequence::parse("zxy"));
 }
+
+// Catches a hub that scales by anything but powers of two, or prints the wrong one of its two signs.
+TEST_CASE("the hub keeps a quaternion exactly up to a power of two") {
+    const auto rotation = Rotation::from_components(-3e150, 0, 1.1e150, -7e140).canonical();
+    CHECK(rotation.w() > 0);
+    CHECK(rotation.w() / rotation.y() == 3e150 / -1.1e150);
+    CHECK(rotation.z() / rotation.w() == 7e140 / 3e150);
+    const auto smallest = Rotation::from_components(0, -5e-324, 0, 5e-324).canonical();
+    CHECK(smallest.x() == 0.5);
+    CHECK(smallest.z() == -0.5);
+    const auto largest = Rotation::from_components(1.7976931348623157e308, 1e308, 0, 0);
+    CHECK(largest.w() < 1.0);
+    CHECK(largest.w() >= 0.5);
+}

@@ -58,21 +58,6 @@ TEST_CASE("a turn on each side adds at most 1 eps to a conversion's error") {
     }
 }
 
-// Catches a product of plain roundings, whose worst case is above 1.5 eps in so many pairs.
-TEST_CASE("the product itself is rounded once") {
-    strata::Source source(1302);
-    double worst = 0.0;
-    for (int i = 0; i < 20'000; ++i) {
-        const auto row = random_quaternion(source);
-        const auto left = random_quaternion(source);
-        const auto result = converted(Spec{}, Spec{}, turned(*read_attitude(Spec{}, left), {}), row);
-        worst = std::max(worst, oracle::error_in_eps(oracle::attitude(Spec{}, left) * oracle::attitude(Spec{}, row),
-                                                     oracle::attitude(Spec{}, result)));
-    }
-    INFO(worst);
-    CHECK(worst <= 1.0);
-}
-
 // Catches a turn that rounds, scales a unit quaternion, or leaves a sign or -0 that is not printed.
 TEST_CASE("a turn by the identity, half-turns and quarter turns is exact") {
     const Rotation identity;

@@ -16,20 +16,12 @@ namespace {
 
 using namespace rotconv;
 
-fuzz::Reach reach{"conversion",
-                  "rates",
-                  "propagate",
-                  "survey",
-                  "compare",
-                  "identify",
-                  "sample",
-                  "text to print",
-                  "usage error",
-                  "VALUEs",
-                  "VALUEs that are compared",
-                  "VALUEs that are identified",
-                  "pairs by row",
-                  "pairs by key"};
+fuzz::Reach reach{
+    // clang-format off
+        "conversion", "rates", "propagate", "survey", "compare", "identify", "sample", "text to print", "usage error",
+        "VALUEs", "VALUEs that are compared", "VALUEs that are identified", "pairs by row", "pairs by key",
+    // clang-format on
+};
 
 void require(bool holds) {
     if (!holds) {

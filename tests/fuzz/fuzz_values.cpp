@@ -18,6 +18,7 @@
 
 #include "cli/grammar/values.hpp"
 #include "cli/option_set.hpp"
+#include "command_text.hpp"
 #include "operations/operations.hpp"
 #include "reach.hpp"
 
@@ -26,123 +27,29 @@ namespace {
 using namespace rotconv;
 
 // Counted are texts that were accepted, by what they have, and those that were refused.
-fuzz::Reach reach{"accepted",
-                  "refused",
-                  "accepted of words",
-                  "refused of words",
-                  "bare numbers",
-                  "brackets",
-                  "elements",
-                  "quotes",
-                  "several lines",
-                  "labels",
-                  "numbers left out",
-                  "sums",
-                  "units",
-                  "orders applied",
-                  "calls",
-                  "4x4",
-                  "notes"};
+fuzz::Reach reach{
+    // clang-format off
+        "accepted", "refused", "accepted of words", "refused of words", "bare numbers", "brackets", "elements",
+        "quotes", "several lines", "labels", "numbers left out", "sums", "units", "orders applied", "calls", "4x4",
+        "notes",
+    // clang-format on
+};
 
 constexpr std::array specs{"quat", "quat:xyzw", "rpy",        "rpy:deg", "euler:ZYX:deg",
                            "dcm",  "rotvec",    "axis-angle", "6d",      "kuka"};
 
-constexpr std::array words{"w",
-                           "x",
-                           "y",
-                           "z",
-                           "roll",
-                           "pitch",
-                           "yaw",
-                           "A",
-                           "B",
-                           "C",
-                           "q",
-                           "R",
-                           "quat",
-                           "rpy",
-                           "dcm",
-                           "Quaternion",
-                           "from_quat",
-                           "array",
-                           "np.float64",
-                           "matrix",
-                           "rotation",
-                           "orientation",
-                           "position",
-                           "pos",
-                           "translation",
-                           "t",
-                           "header",
-                           "xyzw",
-                           "wxyz",
-                           "xyz",
-                           "ZYX",
-                           "ypr",
-                           "passive",
-                           "deg",
-                           "rad",
-                           "degrees",
-                           "°",
-                           "mm",
-                           "m",
-                           "in",
-                           "inv",
-                           "inverse",
-                           "conj",
-                           "transpose",
-                           ".T",
-                           "dtype",
-                           "frame_id",
-                           "order",
-                           "degrees=True",
-                           "scalar_first",
-                           "True",
-                           "foo",
-                           "foo.bar",
-                           "_",
-                           "rpy_deg",
-                           "q_xyzw",
-                           "i",
-                           "j",
-                           "k",
-                           "f",
-                           "deg",
-                           "=",
-                           ":",
-                           ":=",
-                           ",",
-                           ";",
-                           "(",
-                           ")",
-                           "[",
-                           "]",
-                           "{",
-                           "}",
-                           "<",
-                           ">",
-                           "/>",
-                           "</q>",
-                           "<q",
-                           "'",
-                           "\"",
-                           "|",
-                           "-",
-                           "+",
-                           "*",
-                           "/",
-                           "~",
-                           "^",
-                           "!",
-                           "---",
-                           "...",
-                           "\n",
-                           "\n  ",
-                           "\n    ",
-                           "- ",
-                           "\\",
-                           "0x",
-                           "1e"};
+/// A byte of a text of words is one of these.
+const std::vector<std::string> words = [] {
+    auto all = fuzz::words_of(
+        "w x y z roll pitch yaw A B C q R quat rpy dcm Quaternion from_quat array np.float64 matrix rotation "
+        "orientation position pos translation t header xyzw wxyz xyz ZYX ypr passive deg rad degrees ° mm m "
+        "in inv inverse conj transpose .T dtype frame_id order degrees=True scalar_first True foo foo.bar _ "
+        "rpy_deg q_xyzw i j k f deg = : := , ; ( ) [ ] { } < > /> </q> <q ' \" | - + * / ~ ^ ! --- ... \\ 0x "
+        "1e",
+        ' ');
+    all.insert(all.end(), {"\n", "\n  ", "\n    ", "- "});
+    return all;
+}();
 
 void check(bool holds, const char* what, const std::string& text, const std::string& row) {
     if (!holds) {

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <fstream>
-#include <random>
 
 #include <sys/stat.h>
 
@@ -10,54 +9,6 @@
 #include "process.hpp"
 
 using namespace program;
-
-// Catches a greedy match, and ties that are decided by chance. The pairs are found anew by looking at all.
-TEST_CASE("each row is paired with the nearest whose nearest it is") {
-    std::mt19937 engine(7);
-    Files files;
-    for (int round = 0; round < 60; ++round) {
-        const int within = std::uniform_int_distribution(0, 6)(engine);
-        std::vector<std::vector<int>> keys(2);
-        for (std::size_t side = 0; side < 2; ++side) {
-            std::string text;
-            for (int key = 0, i = 0; i < 40; ++i) {
-                key += std::uniform_int_distribution(1, round % 9 + 1)(engine);
-                keys[side].push_back(key);
-                text += fmt::format("{}.{} 0 0 {}\n{}", key / 10, key % 10, side == 0 ? 0.0 : 1e-3 * i,
-                                    i % 7 == round % 7 ? "# remark\n" : "");
-            }
-            files.add(side == 0 ? "new" : "old", text);
-        }
-        const auto nearest = [&](std::size_t side, std::size_t row) {
-            const auto& others = keys[1 - side];
-            std::size_t best = 0;
-            for (std::size_t i = 1; i < others.size(); ++i) {
-                const auto apart = [&](std::size_t at) { return std::abs(others[at] - keys[side][row]); };
-                best = apart(i) < apart(best) ? i : best;
-            }
-            return best;
-        };
-        std::string expected;
-        for (std::size_t i = 0; i < keys[0].size(); ++i) {
-            const std::size_t other = nearest(0, i);
-            if (std::abs(keys[0][i] - keys[1][other]) <= within && nearest(1, other) == i) {
-                expected += fmt::format("{}:{} ", i, other);
-            }
-        }
-        const auto result = files(
-            fmt::format("compare -f rotvec --key 1 --columns 2-4 --key-within 0.{} --format csv @new @old", within));
-        std::string pairs;
-        for (const auto& line : fields_of(result.out, '\n')) {
-            if (!line.empty() && !line.starts_with('#')) {
-                const auto words = words_of(line);
-                const int key = static_cast<int>(std::lround(std::stod(words.front()) * 10));
-                pairs += fmt::format("{}:{} ", std::ranges::find(keys[0], key) - keys[0].begin(),
-                                     std::lround(std::stod(words.at(4)) * 1000));
-            }
-        }
-        CHECK(pairs == expected);
-    }
-}
 
 // Catches sums in another order, pairs that shift where blocks end, and a file that is held.
 TEST_CASE("compare gives the same bytes with any number of threads, and needs no memory for its length") {
@@ -133,19 +84,6 @@ TEST_CASE("the memory of compare does not grow with the streams") {
     }
 }
 
-// Catches a wrong pair, and memory that grows with what stands between two keys.
-TEST_CASE("a row whose partner cannot be told ends the comparison") {
-    Files files;
-    const std::string options = "compare -f quat --key 1 --columns 2-5 --key-within 0.5 --format csv @new @old";
-    files.add("old", "1.1 1 0 0 0\n");
-    files.add("new", "1 1 0 0 0\n" + repeated("# remark\n", 4'000) + "1.1 1 0 0 0\n");
-    CHECK(files(options) == went_on(repeated("# remark\n", 4'000) + "1.1 1 0 0 0 0 1 1.1 0\n",
-                                    {"new: unpaired: 1 row, first at line 1\n"}));
-    files.add("new", "1 1 0 0 0\n" + repeated("# remark\n", 200'000) + "1.1 1 0 0 0\n");
-    CHECK(files(options) == stopped("", {"new:1: the row cannot be paired: too many comments and failed rows stand "
-                                         "before the next key\n"}));
-}
-
 // Catches a comparison that waits for full blocks.
 TEST_CASE("a pair that has arrived is answered") {
     Files files;
@@ -182,24 +120,6 @@ TEST_CASE("an interpolated reference is answered as soon as its later row has co
     CHECK(result.out == "3 0 0 0 1 2 3 0\n");
     CHECK(result.err == "rotconv: -: unpaired: 1 row, first at line 5\n");
     CHECK(result.exit_code == 1);
-}
-
-// Catches fields that get into the sums.
-TEST_CASE("rows of doubles are compared too") {
-    Files files;
-    files.add("new", bytes_of({7, 0, 0, 0, 8, 0, 0, 0.25})).add("old", bytes_of({7, 0, 0, 0, 8, 0, 0, 0}));
-    const std::string options = "compare -f rotvec --input-format f64 --width 4 --columns 2-4 --within 0.25rad ";
-    CHECK(missing(files(options + "@new @old").out, {"max       0.25 rad at 2\nrms       0.176777 rad\n"}) == "");
-    CHECK(missing(files(options + "--key 1 @new @old").out, {"rows      2\n", "max       0.25 rad at 2 (key 8)\n"}) ==
-          "");
-    CHECK(files(options + "--format csv @new @old") == done("7,0,0,0,0\n8,0,0,0.25,0.25\n"));
-    files.add("old", bytes_of({7, 0, 0, 0, 7.1, 0, 0, 0, 9, 0, 0, 1}));
-    CHECK(files(options + "--format csv --key 1 --key-within 1.9 --interpolate --key-offset 0.05 -p 6 @new @old").out ==
-          "7,0,0,0,0,1,7,0.05\n8,0,0,0.25,0.25,2,7.1,0.95\n");
-    files.add("old", bytes_of({7, 0, 0, 0, 8, 0, 0, 0}));
-    files.add("old", bytes_of({7, 0, 0, 0, 8, 0, 0}));
-    CHECK(missing(files(options + "@new @old").err, {"old:2: the row that begins at byte 32 is not whole"}) == "");
-    CHECK(files(options + "@new @old").exit_code == 2);
 }
 
 // Catches a check that goes on, and then fails because nobody reads, or says so.

@@ -38,44 +38,7 @@ std::string moving_rows(std::size_t count, bool bad) {
     return text;
 }
 
-const std::string past_a_half_turn = "0 0 170\n0 0 -170\n0 0 -100\n0 0 0\n0 0 100\n0 0 -160\n0 0 -70\n0 0 20\n0 0 110\n"
-                                     "0 0 -160\n0 0 -80\n";
-
 } // namespace
-
-// Catches a format that writes the numbers before the choice.
-TEST_CASE("yaw runs past 180 degrees to 1000, in every format") {
-    const std::string yaws[] = {"170", "190", "260", "360", "460", "560", "650", "740", "830", "920", "1000"};
-    std::string plain;
-    std::string appended;
-    std::string json;
-    std::string selected;
-    std::string in;
-    std::vector<double> doubles;
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < std::size(yaws); ++i) {
-        const std::string row = past_a_half_turn.substr(at, past_a_half_turn.find('\n', at) - at);
-        at += row.size() + 1;
-        plain += "0 0 " + yaws[i] + "\n";
-        appended += row + " 0 0 " + yaws[i] + "\n";
-        json += R"({"roll": 0, "pitch": 0, "yaw": )" + yaws[i] + "}\n";
-        in += "x " + row + " y\n";
-        selected += "x 0 0 " + yaws[i] + " y\n";
-        doubles.insert(doubles.end(), {0.0, 0.0, std::stod(yaws[i])});
-    }
-    const std::string command = "-f rpy:deg -t rpy:deg --continuous ";
-    CHECK(run(command, past_a_half_turn) == done(plain));
-    CHECK(run(command + "-p 6", past_a_half_turn) == done(plain));
-    CHECK(run(command + "--append", past_a_half_turn) == done(appended));
-    CHECK(run(command + "--format json", past_a_half_turn) == done(json));
-    CHECK(run(command + "--columns 2-4", in) == done(selected));
-    CHECK(run(command + "--format f64", past_a_half_turn) == done(bytes_of(doubles)));
-    CHECK(run(command + "--format f64 --input-format f64", bytes_of(doubles)) == done(bytes_of(doubles)));
-    CHECK(run(command + "--input-format f64 --delimiter blank", bytes_of(doubles)) == done(plain));
-    CHECK(missing(run(command + "--format pretty", past_a_half_turn).out, {"1000"}) == "");
-    CHECK(run("-f rpy:deg -t rpy:deg:passive --continuous -p 12", "0 0 -170\n0 0 170\n0 0 100\n") ==
-          done("0 0 170\n0 0 190\n0 0 260\n"));
-}
 
 // Catches a result that is rounded, brought near to the last one, and rounded again.
 TEST_CASE("numbers of a motion come back as they went in") {
@@ -96,59 +59,6 @@ TEST_CASE("numbers of a motion come back as they went in") {
     }
     CHECK((run("-f rpy:deg -t rpy:deg --continuous", angles) == done(angles)));
     CHECK((run("-f rotvec -t rotvec --continuous --diagnostics off", vectors) == done(vectors)));
-}
-
-// Catches a sign that follows w, and one that is compared in another order.
-TEST_CASE("a quaternion does not flip") {
-    const std::string rows = "0 0 0.6 0.8\n-0.01 0 0.6 0.8\n0 0 -0.6 -0.8\n0 0 0.6 0.8\n";
-    CHECK(run("-f quat -t quat --continuous -p 3 --diagnostics off", rows) ==
-          done("0 0 0.6 0.8\n-0.01 0 0.6 0.8\n0 0 0.6 0.8\n0 0 0.6 0.8\n"));
-    CHECK(run("-f quat -t quat:xyzw --continuous -p 3 --diagnostics off", rows) ==
-          done("0 0.6 0.8 0\n0 0.6 0.8 -0.01\n0 0.6 0.8 0\n0 0.6 0.8 0\n"));
-    CHECK(run("-f axis-angle:deg -t axis-angle:deg --continuous", "0 1 0 170\n0 1 0 190\n0 1 0 340\n0 1 0 0\n") ==
-          Result{0, "0 1 0 170\n0 1 0 190\n0 1 0 340\n0 1 0 360\n",
-                 run("-f axis-angle:deg -t axis-angle:deg", "0 1 0 170\n0 1 0 190\n0 1 0 340\n0 1 0 0\n").err});
-}
-
-// Catches numbers that are compared with nan or with those of a row that was left out.
-TEST_CASE("a row without a result changes nothing for the next") {
-    const std::string command = "-f rpy:deg -t rpy:deg --continuous --on-error ";
-    const std::string rows = "0 0 170\nx 0 0\n0 0 -170\nnan 0 0\n0 0 -100\n";
-    CHECK(run(command + "nan", rows).out == "0 0 170\nnan nan nan\n0 0 190\nnan nan nan\n0 0 260\n");
-    CHECK(run(command + "skip", rows).out == "0 0 170\n0 0 190\n0 0 260\n");
-    CHECK(run(command + "stop", "0 0 170\n0 0 -170\nnan 0 0\n0 0 -100\n") ==
-          stopped("0 0 170\n0 0 190\n", {"rotconv: -:3: not finite"}));
-}
-
-// Catches an option that one of them ignores.
-TEST_CASE("propagate and published methods are continuous too") {
-    std::string rows;
-    std::string expected;
-    for (int i = 0; i <= 10; ++i) {
-        rows += std::to_string(i) + " 0 0 100\n";
-        expected += std::to_string(i) + " 0 0 " + std::to_string(100 * i) + "\n";
-    }
-    for (const std::string how : {"linear", "cubic"}) {
-        CHECK(run("propagate -t rpy -d -p 9 --continuous --interpolation " + how, rows) == done(expected));
-    }
-    const std::string quaternions = run("-f rpy:deg -t quat", past_a_half_turn).out;
-    for (const std::string method : {"default", "classic", "bernardes-atan2"}) {
-        CHECK(run("-f quat -t euler:xyz:deg -p 12 --continuous --method " + method, quaternions).out ==
-              run("-f rpy:deg -t rpy:deg -p 12 --continuous", past_a_half_turn).out);
-    }
-    const auto lost = run("-f dcm -t quat --continuous --method trace", "1 0 0 0 1 0 0 0 1\n-1 0 0 0 1 0 0 0 -1\n"
-                                                                        "1 0 0 0 1 0 0 0 1\n");
-    CHECK(lost.out == "1 0 0 0\n0 nan nan nan\n1 0 0 0\n");
-}
-
-// Catches an option that is refused where it has no effect, or has one.
-TEST_CASE("representations without a choice stay as they are") {
-    const auto rows = moving_rows(300, false);
-    for (const std::string to : {"dcm", "6d", "5d", "cayley"}) {
-        CHECK(run("-f quat --continuous -t " + to, rows) == run("-f quat -t " + to, rows));
-    }
-    CHECK(run("survey -f quat --continuous", rows) == stopped(any_output, {"survey has no --continuous"}));
-    CHECK(run("rates -f quat --continuous", rows).exit_code == 2);
 }
 
 // Catches blocks that choose before it is their turn, and a choice that is lost between two blocks.
@@ -244,19 +154,4 @@ TEST_CASE("a continuous stream ends at an error, and when its reader leaves") {
         left.write(rows);
         CHECK(left.wait().exit_code == 0);
     }
-}
-
-// Catches rows that are kept for the choice.
-TEST_CASE("memory does not grow with a continuous stream") {
-    const Folder folder;
-    const auto file = folder / "rows";
-    write_file(file, repeated("1 2 3 4\n4 3 2 1\n", 300'000));
-    Process process(words_of("-f quat -t rpy --diagnostics off --continuous --tolerance inf --threads 2"),
-                    {.input_file = file});
-    CHECK(count_rows(process.read_rows(200'000)) == 200'000);
-    const long before = process.peak_memory_kib();
-    CHECK(count_rows(process.read_rows(300'000)) == 300'000);
-    CHECK((is_sanitized || process.peak_memory_kib() - before < 4096));
-    CHECK((is_sanitized || process.peak_memory_kib() < 24576));
-    CHECK(process.finish().exit_code == 0);
 }

@@ -60,51 +60,6 @@ TEST_CASE("a row that fails ends the run, is written as nan or is left out") {
     CHECK(run("-f quat -t quat", "1,0,0,0\n1,0,0,x\n") == stopped("1,0,0,0\n")); // the default
 }
 
-// Catches a special case of no good row.
-TEST_CASE("all rows may fail") {
-    const auto rows = repeated("0,0,0,0\n", 1000);
-    const auto skipped = run(reorder + "--on-error skip", rows);
-    CHECK(skipped.exit_code == 1);
-    CHECK(skipped.out == "");
-    CHECK(count_rows(skipped.err) == 21);
-    CHECK(run(reorder + "--on-error nan", rows) == went_on(repeated("nan,nan,nan,nan\n", 1000)));
-}
-
-// Catches short rows out of short rows in.
-TEST_CASE("missing selected fields are added at the end of the row under nan") {
-    CHECK(run(reorder + "--on-error nan --columns 2-5", "t,1,0,0,0\nu\n").out == "t,0,0,0,1\nu,nan,nan,nan,nan\n");
-    CHECK(run(reorder + "--on-error nan --columns 2-5", "t,1,0,0,0\nu,1,0\n").out == "t,0,0,0,1\nu,nan,nan,nan,nan\n");
-    CHECK(run(reorder + "--on-error nan --columns 3-6", "t,s,1,0,0,0\nu,v\n").out ==
-          "t,s,0,0,0,1\nu,v,nan,nan,nan,nan\n");
-}
-
-// Catches a tolerance that is ignored, or compared with another measure.
-TEST_CASE("a defect within the tolerance is no error") {
-    const std::string quiet = " --diagnostics off";
-    CHECK(run("-f quat -t quat" + quiet, "1.0005 0 0 0\n0 -0.9995 0 0\n") == done("1 0 0 0\n0 1 0 0\n"));
-    CHECK(run("-f quat -t quat --tolerance 1" + quiet, "1.5 0 0 0\n0 0.25 0 0\n") == done("1 0 0 0\n0 1 0 0\n"));
-    CHECK(run("-f quat -t quat --tolerance inf" + quiet, "1e-300 0 0 0\n0 0 1e300 0\n") == done("1 0 0 0\n0 0 1 0\n"));
-    CHECK(run("-f dcm -t dcm --tolerance 1" + quiet, "1.5 0 0 0 1.5 0 0 0 1.5\n") == done("1 0 0 0 1 0 0 0 1\n"));
-    CHECK(run("-f quat -t quat --tolerance 0", "1 0 0 0\n") == done("1 0 0 0\n"));
-    CHECK(run("-f quat -t quat --tolerance 0", "1.0000001 0 0 0\n").exit_code == 2);
-}
-
-// Catches an attitude made of nothing.
-TEST_CASE("a tolerance of inf still refuses what has no attitude") {
-    CHECK(run("-f quat -t quat --tolerance inf 0 0 0 0").exit_code == 2);
-    CHECK(run("-f dcm -t quat --tolerance inf -1 0 0 0 -1 0 0 0 -1").exit_code == 2);
-    CHECK(run("-f 6d -t quat --tolerance inf 1 0 0 2 0 0").exit_code == 2);
-}
-
-// Catches messages that steer the terminal or fill it.
-TEST_CASE("the text at fault is quoted without its control characters") {
-    const auto result = run(reorder, "1,\x1B[2J,0,0\n");
-    CHECK(result.err.find('\x1B') == std::string::npos);
-    const auto numbers = run(reorder + "--header no", "1," + repeated("x", 100'000) + ",0,0\n");
-    CHECK(numbers.exit_code == 2);
-    CHECK(numbers.err.size() < 1000);
-}
-
 // Catches thousands of lines that bury what matters, and rows that vanish without a word.
 TEST_CASE("of bad rows twenty are told of, and the rest counted") {
     const std::string rows = "1 0 0 0\n" + repeated("0 0 0 0\n", 2400);

@@ -46,27 +46,6 @@ TEST_CASE("an error that comes when the output is closed is an error of the run"
     }
 }
 
-// Catches a name that is taken for a VALUE: the first thing that everyone types.
-TEST_CASE("FILE is an operand of every command that reads a stream") {
-    const Folder folder;
-    for (const char* name : {"q.txt", "2024-11-21.csv", "info.txt", "nan.csv", "1e5.txt", "-0.5.txt"}) {
-        const auto file = (folder / name).string();
-        write_file(file, "1 0 0 0\n");
-        CHECK(run("-f quat -t rpy " + file) == done("0 0 0\n"));
-        CHECK(run(Words{file, "-f", "quat", "-t", "rpy"}) == done("0 0 0\n"));
-    }
-    const auto file = (folder / "q.txt").string();
-    CHECK(run("-f quat -t rpy -", "1 0 0 0\n") == done("0 0 0\n"));
-    CHECK(run("-f quat -t rpy -- " + file) == done("0 0 0\n"));
-    CHECK(run("survey -f quat " + file) == run("survey -f quat -i " + file));
-    CHECK(run("propagate -t quat " + file) == done("1 1 0 0 0\n"));
-    write_file(file, "1 0 0 0 0 0 2\n");
-    CHECK(run("rates -f quat " + file) == done("0 0 0 1\n"));
-    const auto bad = run("rates -f quat " + file + " --header no", "");
-    CHECK(bad == done("0 0 0 1\n"));
-    CHECK(missing(run("-f quat -t rpy " + file).err, {"rotconv: " + file + ":1: "}) == "");
-}
-
 // Catches a file that is emptied before it is read.
 TEST_CASE("the same file for input and output is refused and kept") {
     const Folder folder;
@@ -99,7 +78,9 @@ TEST_CASE("a full disk ends the run with exit 2") {
     const Surroundings full{.output_file = "/dev/full"};
     CHECK(run(reorder + "1 0 0 0", {}, full).exit_code == 2);
     CHECK(run(reorder, "1 0 0 0\n", full).exit_code == 2);
-    CHECK(run(reorder, repeated("1 0 0 0\n", 100'000), full).exit_code == 2);
+    for (const std::string threads : {"1", "2", "8"}) {
+        CHECK(run(reorder + "--threads " + threads, repeated("1 0 0 0\n", 100'000), full).exit_code == 2);
+    }
     CHECK(run("--help", {}, full).exit_code == 2);
     CHECK(run("list", {}, full).exit_code == 2);
     CHECK(missing(run(reorder, "1 0 0 0\n", full).err, {"rotconv: "}) == "");
@@ -117,21 +98,6 @@ TEST_CASE("a stderr that cannot be written does not kill the program") {
     const auto half_turn = run("-f quat -t mrp", "0 1 0 0\n1 0 0 0\n", full);
     CHECK(half_turn.exit_code >= 0);
     CHECK(half_turn.out == "1 0 0\n0 0 0\n");
-}
-
-// Catches death by SIGPIPE, and a complaint about a broken pipe.
-TEST_CASE("a reader that leaves ends the run quietly") {
-    Process process(words_of("-f quat -t rotvec"));
-    const auto rows = repeated("0 1 0 0\n", 10'000);
-    process.write(rows);
-    CHECK(process.read_rows(1) == "3.141592653589793 0 0\n");
-    process.close_output();
-    for (int i = 0; i < 100; ++i) {
-        process.write(rows);
-    }
-    const auto result = process.finish();
-    CHECK(result.exit_code == 0);
-    CHECK(result.err == "");
 }
 
 // Catches help, lists and VALUEs that do not know of closed pipes.

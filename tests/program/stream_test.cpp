@@ -79,17 +79,6 @@ TEST_CASE("header and comments and failed rows are answered at once") {
     CHECK(json.finish() == done(""));
 }
 
-// Catches a file that stays empty until the end.
-TEST_CASE("an output file is written row by row") {
-    const Folder folder;
-    const auto out = folder / "out";
-    Process process(words_of(reorder + "-o " + out.string() + " --on-error skip --diagnostics rows"));
-    process.write("1 0 0 0\n0 0 0 0\n");
-    process.write("x 0 0 0\n");
-    CHECK(process.finish().exit_code == 1);
-    CHECK(read_file(out) == "0 0 0 1\n");
-}
-
 // Catches a program that reads on for nothing.
 TEST_CASE("a row error under stop ends the run while the input is open") {
     Process process(words_of(reorder));
@@ -166,16 +155,6 @@ TEST_CASE("many rows come out as many and in order") {
     CHECK((result.out == rows.output));
 }
 
-// Catches blocks after the error that overtake it, and blocks before it that are dropped.
-TEST_CASE("rows before an error far down the stream are all written") {
-    const auto rows = numbered_rows(100'000);
-    const auto result = run(reorder + "--columns 2-5", rows.input + "bad,1,zero,0,0\n" + rows.input);
-    CHECK(result.exit_code == 2);
-    CHECK((result.out == rows.output));
-    CHECK(missing(result.err, {"rotconv: -:100001: ", "zero"}) == "");
-    CHECK(count_rows(result.err) == 1);
-}
-
 // Catches lines, line ends, marks and headers that are torn by the border of a read.
 TEST_CASE("every split of the input gives the same bytes") {
     const std::string input =
@@ -193,12 +172,6 @@ TEST_CASE("every split of the input gives the same bytes") {
         process.write(std::string_view(input).substr(split));
         CHECK(process.finish() == whole);
     }
-}
-
-// Catches a state that is lost between reads.
-TEST_CASE("a stream that comes byte by byte gives the same bytes") {
-    const auto rows = numbered_rows(20);
-    CHECK(run_in_pieces(reorder + "--columns 2-5", rows.input, 1) == done(rows.output));
 }
 
 // Catches decimal commas in numbers, in options and in messages.

@@ -191,24 +191,6 @@ TEST_CASE("a row whose later neighbour is too far ends the pairing") {
     CHECK(pairs_of("1,1,0,0,0\n", references, 1U << 16U, options) == "1-1 0 0"); // the reference has that key
 }
 
-// Catches a limit of the look ahead that counts reads, or blocks that hold no whole line: then a row is paired
-// with one that is not its nearest when it comes through a slow pipe.
-TEST_CASE("rows are paired alike in whatever pieces they arrive") {
-    std::string rows = "1,1,0,0,0\n1.5,1,0,0,0\n";
-    for (int i = 0; i < 40; ++i) { // of which none may be paired
-        rows += i % 2 == 0 ? "# a comment in between\n" : "1.25,1,0,0,0\n";
-    }
-    rows += "1.75,1,0,0,0\n";
-    const std::string references = "1.75,1,0,0,0\n9,1,0,0,0\n";
-    const std::string whole = pairs_of(rows, references);
-    CHECK(whole.find("43-1 ") != std::string::npos); // the nearest: line 43, not line 2
-    CHECK(whole.ends_with(" 2 1"));
-    for (std::size_t piece = 1; piece <= 60; ++piece) {
-        INFO("pieces of " << piece);
-        CHECK(pairs_of(rows, references, piece) == whole);
-    }
-}
-
 // Catches a row that is paired with one that is not its nearest, because the nearest comes late.
 TEST_CASE("a row whose next one is too far ends the pairing, and is not paired") {
     const auto between = [](const std::string& line, int count) {
