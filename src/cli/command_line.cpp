@@ -51,10 +51,7 @@ std::vector<Mend> with_values_in_rows(const CommandOptions& operands) {
     const bool is_attitude = numbers.size() == spec->size();
     const bool are_first = operands.value_words[0].word < operands.file_words[0].word;
     const bool is_vector = numbers.size() == 3;
-    if (!is_attitude && !is_vector) {
-        return {};
-    }
-    if (is_attitude && is_vector && !are_first) { // it may be either
+    if (is_attitude && is_vector ? !are_first : !is_attitude && !is_vector) { // it may be either
         return {};
     }
     const auto added = [&](const std::vector<std::string>& words) {

@@ -140,8 +140,7 @@ std::size_t OptionSet::read(const std::vector<std::string>& all_words, std::size
         option->texts.push_back(argument);
     };
 
-    std::vector<std::string> operands; // FILEs and VALUEs in their order
-    std::vector<WordEnd> operand_words;
+    std::vector<std::pair<std::size_t, bool>> operands; // words, and whether they are VALUEs
     bool only_operands = false;
     for (; at < words.size(); ++at) {
         const std::string& word = words[at];
@@ -149,13 +148,10 @@ std::size_t OptionSet::read(const std::vector<std::string>& all_words, std::size
         if (only_operands || is_number || !word.starts_with('-') || word == "-" || resembles_number(word) ||
             (!word.starts_with("--") && word.find_first_of("([{") != std::string::npos)) { // -Quaternion(...)
             const bool takes_value = is_number && !takes_names();
-            if (!only_operands && !takes_value && values.empty() && files.empty() && is_command(word)) {
+            if (!only_operands && !takes_value && operands.empty() && is_command(word)) {
                 break;
             }
-            (takes_value ? values : files).push_back(word);
-            (takes_value ? value_words : file_words).push_back({at, 0});
-            operands.push_back(word);
-            operand_words.push_back({at, 0});
+            operands.emplace_back(at, takes_value);
         } else if (word == "--") {
             only_operands = true;
         } else if (word.starts_with("--")) {
@@ -173,15 +169,17 @@ std::size_t OptionSet::read(const std::vector<std::string>& all_words, std::size
             }
         }
     }
-    const auto is_word = [&has_meaning](const std::string& file) {
-        return stream::File::why_unreadable(file.c_str()) != 0 && !has_meaning(file);
+    const auto may_be_value = [&](const std::pair<std::size_t, bool>& operand) {
+        const std::string& word = words[operand.first];
+        return operand.second || (stream::File::why_unreadable(word.c_str()) != 0 && !has_meaning(word));
     };
-    if (!takes_names() && !only_operands && !files.empty() &&
-        (!values.empty() || std::ranges::any_of(files, holds_number)) && std::ranges::all_of(files, is_word)) {
-        values = std::move(operands);
-        value_words = std::move(operand_words);
-        files.clear();
-        file_words.clear();
+    const auto holds_value = [this](const auto& each) { return each.second || holds_number(words[each.first]); };
+    const bool are_values = !takes_names() && !only_operands && std::ranges::any_of(operands, holds_value) &&
+                            std::ranges::all_of(operands, may_be_value);
+    for (const auto& [place, is_own] : operands) {
+        const bool is_one = is_own || are_values;
+        (is_one ? values : files).push_back(words[place]);
+        (is_one ? value_words : file_words).push_back({place, 0});
     }
     return at;
 }
