@@ -160,8 +160,7 @@ GivenNumbers numbers_of(const Option& option, bool degrees) {
         throw Usage("{}: {}", option.name(), std::string_view(error.what()).substr(argument_error.size()));
     }
     read.notes = std::move(values.notes);
-    std::vector<std::string_view> fields;
-    static_cast<void>(values.delimiter.split(values.row, fields));
+    const auto fields = values.fields();
     if (fields.size() != read.spec.size()) {
         throw Usage("{}: {} has {} numbers, not {}: {}", option.name(), representation(read.spec.name).text,
                     read.spec.size(), fields.size(), quoted(read.row));

@@ -54,9 +54,8 @@ namespace {
 /// Whether a name has a unit of angles by time.
 bool is_unit_of_rate(std::string_view name) {
     const std::string text = lower(name);
-    constexpr std::array<std::string_view, 10> rates{"/s",    "s^-1",  "s-1",     "dps",     "rps",
-                                                     "deg_s", "rad_s", "deg_per", "rad_per", "per s"};
-    return std::ranges::any_of(rates, [&text](auto rate) { return text.find(rate) != std::string::npos; });
+    const auto is_in = [&text](std::string_view rate) { return text.find(rate) != std::string::npos; };
+    return std::ranges::any_of(split("/s,s^-1,s-1,dps,rps,deg_s,rad_s,deg_per,rad_per,per s", ','), is_in);
 }
 
 /// What names may share that are those of numbers.
@@ -151,23 +150,23 @@ bool has_at_end(std::string_view name, std::string_view words) {
     });
 }
 
-/// Whether a name has a word that begins with one of these, or is one of those.
-bool has_word(std::string_view name, std::string_view beginnings, std::string_view wholes = "") {
+/// Whether a name has a word that begins with one of these, and behind that the end.
+bool has_word(std::string_view name, std::string_view beginnings, std::string_view end = "") {
     const std::string own = own_words(name);
-    const auto has = [&own](std::string_view words, std::string_view end) {
-        return std::ranges::any_of(words_in(words), [&](const std::string& word) {
-            return own.find(fmt::format("_{}{}", word, end)) != std::string::npos;
-        });
-    };
-    return has(beginnings, "") || has(wholes, "_");
+    return std::ranges::any_of(words_in(beginnings), [&](const std::string& word) {
+        return own.find(fmt::format("_{}{}", word, end)) != std::string::npos;
+    });
 }
 
 /// What names say of numbers that are never taken by themselves.
 bool is_of_error(std::string_view name) {
-    return has_word(name, "speed spd dps acc std sigma cov var err delta reset offset bias", "dot");
+    return has_word(name, "speed spd dps acc std sigma cov var err delta reset offset bias") ||
+           has_word(name, "dot", "_");
 }
 bool is_of_rate(std::string_view name) { return has_word(name, "rate vel"); }
-bool is_of_command(std::string_view name) { return has_word(name, "cmd setpoint target ref", "sp des desired"); }
+bool is_of_command(std::string_view name) {
+    return has_word(name, "cmd setpoint target ref") || has_word(name, "sp des desired", "_");
+}
 
 /// Calls what to do with the place of the first word in its name, and with the places of all, for each set of names
 /// that are the words between one prefix and one suffix. A name that stands twice, or that is as long as a text, is in
@@ -259,7 +258,7 @@ bool has_open_order(const Spec& spec) {
 }
 
 bool is_of_other_quantity(std::string_view name) {
-    return is_of_error(name) || is_of_rate(name) || is_of_command(name) || has_word(name, "", "gyro");
+    return is_of_error(name) || is_of_rate(name) || is_of_command(name) || has_word(name, "gyro", "_");
 }
 
 std::vector<Part> parts_of(const stream::RowNumbers& numbers) {

@@ -445,12 +445,12 @@ bool is_value(std::string_view word) {
 
 Values values_of(const std::vector<std::string>& words, std::optional<stream::Delimiter> given,
                  const stream::RowNumbers& numbers, std::string_view from, bool are_selected) {
-    std::string text = joined(words, " ");
+    const std::string text = joined(words, " ");
     if (!given || words.size() > 1) {
         given = text.find(',') != std::string::npos ? stream::Delimiter::character(',') : stream::Delimiter::blanks();
     }
-    std::vector<std::string_view> fields;
-    static_cast<void>(given->split(text, fields));
+    Values values{text, *given};
+    const auto fields = values.fields();
     const bool is_row = text.find_first_of("[](){}<>:=;|\"'\r\n") == std::string::npos &&
                         (are_selected || std::ranges::all_of(fields, [](std::string_view field) {
                              return std::ranges::all_of(words_in(field), stream::is_number);
@@ -459,16 +459,16 @@ Values values_of(const std::vector<std::string>& words, std::optional<stream::De
                              ((numbers.attitude->name == RepresentationId::dcm && fields.size() == 16) ||
                               pose_columns(*numbers.attitude, fields.size()).are_known);
     if (is_row && (are_selected || !may_be_pose)) {
-        return {std::move(text), *given, {}};
+        return values;
     }
     const ValueText read = parse_values(text);
     const bool by_place = are_selected || !numbers.attitude; // identify reads numbers as they stand
     if (by_place && !read.words.empty()) {
         throw wrong("{} is not understood beside numbers that are read as they stand", quoted(read.words[0].text));
     }
-    Values values{.delimiter = *given};
     const Numbers chosen = by_place ? read.numbers : numbers_of(read, parts_of(numbers), from, values);
     const bool has_commas = std::ranges::any_of(chosen, &ValueNumber::after_comma); // blanks do not separate as they do
+    values.row.clear();
     for (const ValueNumber& number : chosen) {
         values.row +=
             &number == chosen.data() ? "" : std::string(1, number.is_joined && has_commas ? ' ' : given->text());
@@ -481,8 +481,7 @@ std::optional<Values> attitude_in(const std::string& text, const stream::RowNumb
                                   bool& means_other) {
     try {
         Values values = values_of({text}, std::nullopt, numbers, from, false);
-        std::vector<std::string_view> fields;
-        static_cast<void>(values.delimiter.split(values.row, fields));
+        const auto fields = values.fields();
         const bool is_one = fields.size() == numbers.names.size() && std::ranges::all_of(fields, stream::is_number);
         return is_one ? std::optional(std::move(values)) : std::nullopt;
     } catch (const Usage& error) {
