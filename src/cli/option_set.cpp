@@ -4,9 +4,11 @@
 #include <array>
 #include <utility>
 
+#include "../core/projects.hpp"
 #include "../stream/bytes/file.hpp"
 #include "grammar/value_text.hpp"
 #include "grammar/values.hpp"
+#include "messages/messages.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -29,6 +31,15 @@ constexpr auto second_names = std::to_array<SecondName>({{"--deg", "--degrees", 
                                                          {"--json", "--format", "json"},
                                                          {"--quiet", "--diagnostics", "off"},
                                                          {"-q", "--diagnostics", "off"}});
+
+/// Whether a word that is no file is one of the program's language: a verb, a SPEC, rpy2quat.
+bool has_meaning(std::string_view word) {
+    if (word.size() < 2 || !std::ranges::all_of(word, [](char c) { return is_alphanumeric(c) || c == '-'; })) {
+        return false; // the label of a number
+    }
+    return messages::is_verb(word) || messages::is_spec(word) || find_project(word) != nullptr ||
+           (std::ranges::count(word, '2') == 1 && std::ranges::all_of(word, is_alphanumeric));
+}
 
 SecondName second_name(std::string_view name) {
     const auto* const found = std::ranges::find(second_names, name, &SecondName::text);
@@ -96,8 +107,7 @@ std::string OptionSet::help(const OptionSet* other) const {
 }
 
 std::size_t OptionSet::read(const std::vector<std::string>& all_words, std::size_t first,
-                            const std::function<bool(std::string_view)>& is_command,
-                            const std::function<bool(std::string_view)>& has_meaning) {
+                            const std::function<bool(std::string_view)>& is_command) {
     std::size_t at = first;
     words = all_words;
     begin = first;

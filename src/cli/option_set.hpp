@@ -148,8 +148,7 @@ public:
     /// @return the word at which reading ended: the name of a command, or none
     /// @throw Usage where an option lacks its argument
     [[nodiscard]] std::size_t read(const std::vector<std::string>& all_words, std::size_t first,
-                                   const std::function<bool(std::string_view)>& is_command,
-                                   const std::function<bool(std::string_view)>& has_meaning);
+                                   const std::function<bool(std::string_view)>& is_command);
 
 private:
     std::vector<Option*> options_;

@@ -19,38 +19,6 @@ namespace {
 /// Bytes of the longest text that is a unit, without blanks and _: microseconds.
 constexpr std::size_t longest_unit = 12;
 
-} // namespace
-
-std::string_view unit_of(std::string_view text) {
-    if ((text.starts_with('[') && text.ends_with(']')) || (text.starts_with('(') && text.ends_with(')'))) {
-        text = text.substr(1, text.size() - 2);
-    }
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> units{
-        {{"deg", " deg degree degrees dps \u00B0 "},
-         {"rad", " rad radian radians rps "},
-         {"s", " s sec secs second seconds "},
-         {"ms", " ms msec millisecond milliseconds "},
-         {"us", " us usec \u00B5s \u03BCs microsecond microseconds "},
-         {"ns", " ns nsec nsecs nanosecond nanoseconds "}}};
-    std::string unit = lower(text);
-    std::erase_if(unit, [](char c) { return c == ' ' || c == '\t' || c == '_'; });
-    if (unit.size() > longest_unit) {
-        return {};
-    }
-    for (const std::string_view per_second : {"", "/sec", "/s", "s^-1", "s-1", "pers", "s"}) {
-        const std::string word = unit.substr(0, unit.size() - std::min(unit.size(), per_second.size()));
-        for (const auto& [name, words] : units) {
-            const bool fits = per_second.empty() || name == "deg" || name == "rad";
-            if (fits && unit.ends_with(per_second) && is(words, word)) {
-                return name;
-            }
-        }
-    }
-    return {};
-}
-
-namespace {
-
 /// Whether a name has a unit of angles by time.
 bool is_unit_of_rate(std::string_view name) {
     const std::string text = lower(name);
@@ -223,7 +191,97 @@ bool is_shared(const Spelling& spelling, std::string_view prefix, std::string_vi
                    : has_at_end(prefix, "w omega gyro gyr gyroscope angular_velocity");
 }
 
+/// All sets of names, each once; those that do not decide only where no other is.
+std::vector<KnownNames> all_sets(const Part& part, std::span<const std::string> names) {
+    std::vector<std::vector<std::string>> texts{mapped(names, lower)};
+    texts.push_back(mapped(names, [](const std::string& name) { return name_and_unit(name).first; }));
+    texts.resize(texts[0] == texts[1] ? 1 : 2); // without units, if there are any
+    std::vector<KnownNames> found;
+    std::set<std::vector<std::size_t>> known;
+    const auto spellings = spellings_of(part);
+    for (const Spelling& spelling : spellings) {
+        if (!found.empty() && !spelling.decides) {
+            break;
+        }
+        for (const auto& each : texts) {
+            for_each_set(spelling.words, each, [&](std::size_t size, const std::vector<std::size_t>& places) {
+                const std::string prefix = names[places[0]].substr(0, size);
+                const std::string suffix = names[places[0]].substr(size + spelling.words[0].size());
+                const bool is_bare = each[places[0]] == spelling.words[0];
+                if (is_shared(spelling, prefix, suffix, places, each) && known.insert(places).second) {
+                    found.push_back({places, spelling.decides,
+                                     !is_bare                        ? 2
+                                     : &spelling == spellings.data() ? 0
+                                                                     : 1,
+                                     prefix, suffix});
+                }
+            });
+        }
+    }
+    return found;
+}
+
+/// Whether the set may be taken although nobody selects it. @param is_pair two attitudes of one SPEC are looked for
+bool may_be_taken(const KnownNames& set, const Part& part, std::span<const std::string> names, bool is_pair) {
+    if (!set.decides) {
+        const bool is_from_one = set.of(names)[0].find('1') != std::string::npos;
+        return part.attitude->name == RepresentationId::quat && has_at_end(set.prefix, "q quat quaternion attitude") &&
+               (!is_from_one || part.attitude->has_given_order || part.attitude->project != nullptr);
+    }
+    const bool has_angles = part.attitude && representation(part.attitude->name).has_angles();
+    auto texts = set.of(names);
+    texts.push_back(set.suffix);
+    return std::ranges::none_of(texts, [&](const std::string& name) {
+        const bool has_rate = has_angles && is_unit_of_rate(name);
+        const bool is_other = set.rank > 0 && (is_of_error(name) || (part.attitude && is_of_rate(name)) ||
+                                               (!is_pair && is_of_command(name)));
+        return has_rate || is_other;
+    });
+}
+
+/// The columns of times, or of the key.
+std::vector<KnownNames> kept_columns(const std::vector<std::string>& names, const std::string& key) {
+    std::vector<KnownNames> found;
+    if (!key.empty()) {
+        const auto places = std::get<stream::ColumnList>(stream::ColumnList::parse(key, 1)).positions(names);
+        const auto* const place = std::get_if<std::vector<std::size_t>>(&places);
+        return place == nullptr ? found : std::vector{KnownNames{*place}};
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        found.insert(found.end(), is_name_of_time(names[i]) ? 1 : 0, KnownNames{{i}});
+    }
+    return found;
+}
+
 } // namespace
+
+std::string_view unit_of(std::string_view text) {
+    if ((text.starts_with('[') && text.ends_with(']')) || (text.starts_with('(') && text.ends_with(')'))) {
+        text = text.substr(1, text.size() - 2);
+    }
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> units{
+        {{"deg", " deg degree degrees dps \u00B0 "},
+         {"rad", " rad radian radians rps "},
+         {"s", " s sec secs second seconds "},
+         {"ms", " ms msec millisecond milliseconds "},
+         {"us", " us usec \u00B5s \u03BCs microsecond microseconds "},
+         {"ns", " ns nsec nsecs nanosecond nanoseconds "}}};
+    std::string unit = lower(text);
+    std::erase_if(unit, [](char c) { return c == ' ' || c == '\t' || c == '_'; });
+    if (unit.size() > longest_unit) {
+        return {};
+    }
+    for (const std::string_view per_second : {"", "/sec", "/s", "s^-1", "s-1", "pers", "s"}) {
+        const std::string word = unit.substr(0, unit.size() - std::min(unit.size(), per_second.size()));
+        for (const auto& [name, words] : units) {
+            const bool fits = per_second.empty() || name == "deg" || name == "rad";
+            if (fits && unit.ends_with(per_second) && is(words, word)) {
+                return name;
+            }
+        }
+    }
+    return {};
+}
 
 std::pair<std::string, std::string_view> name_and_unit(const std::string& text) {
     const auto bracket = text.ends_with(']')   ? text.rfind('[')
@@ -280,40 +338,6 @@ std::vector<Part> parts_of(const stream::RowNumbers& numbers) {
     return parts;
 }
 
-namespace {
-
-/// All sets of names, each once; those that do not decide only where no other is.
-std::vector<KnownNames> all_sets(const Part& part, std::span<const std::string> names) {
-    std::vector<std::vector<std::string>> texts{mapped(names, lower)};
-    texts.push_back(mapped(names, [](const std::string& name) { return name_and_unit(name).first; }));
-    texts.resize(texts[0] == texts[1] ? 1 : 2); // without units, if there are any
-    std::vector<KnownNames> found;
-    std::set<std::vector<std::size_t>> known;
-    const auto spellings = spellings_of(part);
-    for (const Spelling& spelling : spellings) {
-        if (!found.empty() && !spelling.decides) {
-            break;
-        }
-        for (const auto& each : texts) {
-            for_each_set(spelling.words, each, [&](std::size_t size, const std::vector<std::size_t>& places) {
-                const std::string prefix = names[places[0]].substr(0, size);
-                const std::string suffix = names[places[0]].substr(size + spelling.words[0].size());
-                const bool is_bare = each[places[0]] == spelling.words[0];
-                if (is_shared(spelling, prefix, suffix, places, each) && known.insert(places).second) {
-                    found.push_back({places, spelling.decides,
-                                     !is_bare                        ? 2
-                                     : &spelling == spellings.data() ? 0
-                                                                     : 1,
-                                     prefix, suffix});
-                }
-            });
-        }
-    }
-    return found;
-}
-
-} // namespace
-
 std::optional<KnownNames> find_names(const Part& part, std::span<const std::string> names) {
     auto sets = all_sets(part, names);
     const auto best = std::ranges::min_element(
@@ -326,42 +350,6 @@ std::optional<KnownNames> find_names(const Part& part, std::span<const std::stri
     }
     return *best;
 }
-
-namespace {
-
-/// Whether the set may be taken although nobody selects it. @param is_pair two attitudes of one SPEC are looked for
-bool may_be_taken(const KnownNames& set, const Part& part, std::span<const std::string> names, bool is_pair) {
-    if (!set.decides) {
-        const bool is_from_one = set.of(names)[0].find('1') != std::string::npos;
-        return part.attitude->name == RepresentationId::quat && has_at_end(set.prefix, "q quat quaternion attitude") &&
-               (!is_from_one || part.attitude->has_given_order || part.attitude->project != nullptr);
-    }
-    const bool has_angles = part.attitude && representation(part.attitude->name).has_angles();
-    auto texts = set.of(names);
-    texts.push_back(set.suffix);
-    return std::ranges::none_of(texts, [&](const std::string& name) {
-        const bool has_rate = has_angles && is_unit_of_rate(name);
-        const bool is_other = set.rank > 0 && (is_of_error(name) || (part.attitude && is_of_rate(name)) ||
-                                               (!is_pair && is_of_command(name)));
-        return has_rate || is_other;
-    });
-}
-
-/// The columns of times, or of the key.
-std::vector<KnownNames> kept_columns(const std::vector<std::string>& names, const std::string& key) {
-    std::vector<KnownNames> found;
-    if (!key.empty()) {
-        const auto places = std::get<stream::ColumnList>(stream::ColumnList::parse(key, 1)).positions(names);
-        const auto* const place = std::get_if<std::vector<std::size_t>>(&places);
-        return place == nullptr ? found : std::vector{KnownNames{*place}};
-    }
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        found.insert(found.end(), is_name_of_time(names[i]) ? 1 : 0, KnownNames{{i}});
-    }
-    return found;
-}
-
-} // namespace
 
 ColumnSets sets_of_row(const std::vector<Part>& parts, const std::vector<std::string>& names, const std::string& key) {
     ColumnSets sets{.are_known = true, .rows = {{}}};
