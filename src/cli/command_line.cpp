@@ -51,10 +51,7 @@ std::vector<Mend> with_values_in_rows(const CommandOptions& operands) {
     const bool is_attitude = numbers.size() == spec->size();
     const bool are_first = operands.value_words[0].word < operands.file_words[0].word;
     const bool is_vector = numbers.size() == 3;
-    if (!is_attitude && !is_vector) {
-        return {};
-    }
-    if (is_attitude && is_vector && !are_first) { // it may be either
+    if (is_attitude && is_vector ? !are_first : !is_attitude && !is_vector) { // it may be either
         return {};
     }
     const auto added = [&](const std::vector<std::string>& words) {
@@ -112,12 +109,11 @@ void check(const CommandOptions& operands, std::size_t most_files) {
     if (operands.files.size() > most_files) {
         throw Usage("{} is one FILE too many", quoted(operands.files[most_files]));
     }
-    if (!operands.values.empty() && (has_input || !file.empty())) {
-        throw Usage("VALUEs cannot be combined with {}", file.empty() ? "--input" : file)
+    const bool has_values = !operands.values.empty();
+    if ((has_values && (has_input || !file.empty())) || (has_input && !file.empty())) {
+        throw Usage("{} cannot be combined with {}", has_values ? "VALUEs" : file,
+                    has_values && !file.empty() ? file : "--input")
             .with(has_input ? messages::with_specs_of_others(operands) : with_values_in_rows(operands));
-    }
-    if (has_input && !file.empty()) {
-        throw Usage(file + " cannot be combined with --input").with(messages::with_specs_of_others(operands));
     }
 }
 
@@ -139,24 +135,54 @@ void refuse_compressed(const CommandOptions& operands) {
     }
 }
 
+bool is_command(std::string_view word) {
+    return !word.empty() && std::ranges::count(command_table(), word, &CommandEntry::name) > 0;
+}
+
 /// The command line that is meant by one with `help` or `--list` in front.
 std::vector<std::string> translated(std::vector<std::string> words) {
-    const auto is_command = [table = command_table()](std::string_view word) {
-        return std::ranges::count(table, word, &CommandEntry::name) > 0;
-    };
     const bool is_help = !words.empty() && words[0] == "help" && stream::File::why_unreadable("help") != 0; // no FILE
     const std::string topic = is_help && words.size() > 1 ? words[1] : "";
     if (!words.empty() && words[0] == "--list") {
         words[0] = "list";
     } else if (topic == "help") {
         words = {"--help"};
-    } else if (is_help && words.size() > 1 && !is_command(topic)) {
+    } else if (is_help && !topic.empty() && !is_command(topic)) {
         words[0] = topic.starts_with('-') ? "--help" : "list";
     } else if (is_help) {
         words.erase(words.begin());
         words.emplace_back("--help");
     }
     return words;
+}
+
+/// The command that alone serves of those that a project's name may mean, with a note that says so.
+Command chosen(const CommandOptions& given, Command command) {
+    if (auto* const rows = std::get_if<RowsCommand>(&command)) {
+        const Option& columns = *rows->line->find("--columns");
+        const std::string selected =
+            columns.given() && !given.find("--columns")->given() ? " --columns " + columns.text() : "";
+        rows->notes.push_back(
+            {stream::Note::Kind::chosen,
+             fmt::format("{0} {1} has several SPECs, of which one fits: {0} {2}{3}", "--from",
+                         given.find("--from")->text(), rows->line->find("--from")->text(), selected)});
+    }
+    return command;
+}
+
+void refuse_unknown(const CommandOptions& options) {
+    if (!options.unknown.empty()) {
+        throw messages::no_such_option(options);
+    }
+}
+
+void refuse_verb(const CommandOptions& options) {
+    const std::string verb = options.files.empty() ? "" : options.files[0];
+    if (!verb.empty() && verb == options.words[0] && messages::is_verb(verb) &&
+        verb.find_first_of("./") == std::string::npos && stream::File::why_unreadable(verb.c_str()) != 0) {
+        throw Usage("{} is not a command{}", quoted(verb), messages::meaning_of_word(verb))
+            .with(messages::meant_by_operand(options, 0));
+    }
 }
 
 } // namespace
@@ -182,66 +208,20 @@ Mend CommandOptions::piped(Mend mend, const std::string& command, std::optional<
     return mend;
 }
 
-namespace {
-
-/// The command that alone serves of those that a project's name may mean, with a note that says so.
-Command chosen(const CommandOptions& given, Command command) {
-    if (auto* const rows = std::get_if<RowsCommand>(&command)) {
-        const Option& columns = *rows->line->find("--columns");
-        const std::string selected =
-            columns.given() && !given.find("--columns")->given() ? " --columns " + columns.text() : "";
-        rows->notes.push_back(
-            {stream::Note::Kind::chosen,
-             fmt::format("{0} {1} has several SPECs, of which one fits: {0} {2}{3}", "--from",
-                         given.find("--from")->text(), rows->line->find("--from")->text(), selected)});
-    }
-    return command;
-}
-
-/// Whether a word that is no file is one of the program's language: a verb, a SPEC, rpy2quat.
-bool has_meaning(std::string_view word) {
-    if (word.size() < 2 || !std::ranges::all_of(word, [](char c) { return is_alphanumeric(c) || c == '-'; })) {
-        return false; // the label of a number
-    }
-    return messages::is_verb(word) || messages::is_spec(word) || find_project(word) != nullptr ||
-           (std::ranges::count(word, '2') == 1 && std::ranges::all_of(word, is_alphanumeric));
-}
-
-void refuse_unknown(const CommandOptions& options) {
-    if (!options.unknown.empty()) {
-        throw messages::no_such_option(options);
-    }
-}
-
-void refuse_verb(const CommandOptions& options) {
-    const std::string verb = options.files.empty() ? "" : options.files[0];
-    if (!verb.empty() && verb == options.words[0] && messages::is_verb(verb) &&
-        verb.find_first_of("./") == std::string::npos && stream::File::why_unreadable(verb.c_str()) != 0) {
-        throw Usage("{} is not a command{}", quoted(verb), messages::meaning_of_word(verb))
-            .with(messages::meant_by_operand(options, 0));
-    }
-}
-
-} // namespace
-
 // NOLINTNEXTLINE(misc-no-recursion): once more, for the command that is meant
 Command read_command_line(const std::vector<std::string>& words) {
     const auto table = command_table();
     const auto commands = std::span<const CommandEntry>(table).subspan(1);
-    const auto is_command = [&](std::string_view word) {
-        return std::ranges::count(commands, word, &CommandEntry::name) > 0;
-    };
     const CommandEntry* entry = table.data();
     const std::shared_ptr<CommandOptions> of_conversion = entry->options();
     std::shared_ptr<CommandOptions> options = of_conversion;
-    const std::size_t end = options->read(words, 0, is_command, has_meaning);
+    const std::size_t end = options->read(words, 0, is_command);
     const bool has_command = end < words.size();
     if (has_command) {
         refuse_unknown(*options);
         entry = &*std::ranges::find(table, words[end], &CommandEntry::name);
         options = entry->options();
-        static_cast<void>(options->read(
-            words, end + 1, [](auto) { return false; }, has_meaning));
+        static_cast<void>(options->read(words, end + 1, [](auto) { return false; }));
     } else {
         refuse_verb(*options);
     }

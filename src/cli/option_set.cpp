@@ -2,43 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <utility>
 
-#include <CLI/CLI.hpp>
-
+#include "../core/projects.hpp"
 #include "../stream/bytes/file.hpp"
 #include "grammar/value_text.hpp"
 #include "grammar/values.hpp"
+#include "messages/messages.hpp"
 
 namespace rotconv::cli {
 namespace {
-
-/// Prints the part of CLI11's help that lists the options. Those that another help describes alike are only named.
-class Formatter : public CLI::Formatter {
-public:
-    Formatter(const OptionSet& own, const OptionSet* other) : own_(&own), other_(other) {}
-
-    std::string make_usage(const CLI::App* /*app*/, std::string /*name*/) const override { return {}; }
-    std::string make_group(std::string group, bool is_positional,
-                           std::vector<const CLI::Option*> options) const override {
-        std::string shared;
-        std::erase_if(options, [&](const CLI::Option* option) {
-            const std::string name = option->get_name();
-            const Option* const own = own_->find(name);
-            const Option* const other = other_ == nullptr || name == "--help" ? nullptr : other_->find(name);
-            const bool is_shared = other != nullptr && other->argument == own->argument && other->about == own->about;
-            shared += is_shared ? " " + name : "";
-            return is_shared;
-        });
-        return CLI::Formatter::make_group(std::move(group), is_positional, std::move(options)) +
-               (shared.empty() ? "" : fmt::format("  shared:{}\n", shared));
-    }
-
-private:
-    const OptionSet* own_;
-    const OptionSet* other_;
-};
 
 /// Such as -90deg and -pi/2, which are not options, nor are dashes before a blank or line end: "---\nx: 0".
 bool resembles_number(std::string_view word) {
@@ -58,6 +31,15 @@ constexpr auto second_names = std::to_array<SecondName>({{"--deg", "--degrees", 
                                                          {"--json", "--format", "json"},
                                                          {"--quiet", "--diagnostics", "off"},
                                                          {"-q", "--diagnostics", "off"}});
+
+/// Whether a word that is no file is one of the program's language: a verb, a SPEC, rpy2quat.
+bool has_meaning(std::string_view word) {
+    if (word.size() < 2 || !std::ranges::all_of(word, [](char c) { return is_alphanumeric(c) || c == '-'; })) {
+        return false; // the label of a number
+    }
+    return messages::is_verb(word) || messages::is_spec(word) || find_project(word) != nullptr ||
+           (std::ranges::count(word, '2') == 1 && std::ranges::all_of(word, is_alphanumeric));
+}
 
 SecondName second_name(std::string_view name) {
     const auto* const found = std::ranges::find(second_names, name, &SecondName::text);
@@ -95,34 +77,37 @@ Edit OptionSet::changing(const Option& option, const std::string& argument) {
 }
 
 std::string OptionSet::help(const OptionSet* other) const {
-    CLI::App app; // it only prints: to define all options takes it as long as the rest of a start
-    app.set_help_flag();
-    app.formatter(std::make_shared<Formatter>(*this, other));
-    std::string unused;
+    const auto line = [](const std::string& names, std::string_view about) {
+        return fmt::format("  {:<28}{}\n", names, about);
+    };
+    std::string text = takes_names() ? "\nPositionals:\n" + line("NAME ...", names_) : "";
+    std::vector<std::string_view> groups; // in the order of their first options
     for (const Option* option : options_) {
-        app.option_defaults()->group(std::string(option->group));
-        const std::string names(option->names);
-        const std::string about(option->about);
-        if (option->takes_argument()) {
-            app.add_option(names, unused, about)->type_name(std::string(option->argument));
-        } else {
-            app.add_flag(names, about);
+        if (std::ranges::count(groups, option->group) == 0) {
+            groups.push_back(option->group);
         }
     }
-    if (takes_names()) {
-        app.add_option("NAME", unused, std::string(names_))->type_name("")->expected(1, -1);
+    for (const std::string_view group : groups) {
+        text += fmt::format("\n{}:\n", group);
+        std::string shared;
+        for (const Option* option : filtered(options_, [group](const Option* each) { return each->group == group; })) {
+            const Option* const same = other == nullptr ? nullptr : other->find(option->name());
+            if (same != nullptr && option->name() != "--help" && same->argument == option->argument &&
+                same->about == option->about) {
+                shared += fmt::format(" {}", option->name());
+            } else {
+                text +=
+                    line(fmt::format("{}{}{}", option->names, option->takes_argument() ? " " : "", option->argument),
+                         option->about);
+            }
+        }
+        text += shared.empty() ? "" : fmt::format("  shared:{}\n", shared);
     }
-    std::string help = app.help();
-    for (auto at = help.find("\n\n\n"); at != std::string::npos; at = help.find("\n\n\n")) {
-        help.erase(at, 1); // CLI11 ends a group with two
-    }
-    help.erase(help.find_last_not_of('\n') + 2);
-    return help;
+    return text;
 }
 
 std::size_t OptionSet::read(const std::vector<std::string>& all_words, std::size_t first,
-                            const std::function<bool(std::string_view)>& is_command,
-                            const std::function<bool(std::string_view)>& has_meaning) {
+                            const std::function<bool(std::string_view)>& is_command) {
     std::size_t at = first;
     words = all_words;
     begin = first;
@@ -165,8 +150,7 @@ std::size_t OptionSet::read(const std::vector<std::string>& all_words, std::size
         option->texts.push_back(argument);
     };
 
-    std::vector<std::string> operands; // FILEs and VALUEs in their order
-    std::vector<WordEnd> operand_words;
+    std::vector<std::pair<std::size_t, bool>> operands; // words, and whether they are VALUEs
     bool only_operands = false;
     for (; at < words.size(); ++at) {
         const std::string& word = words[at];
@@ -174,13 +158,10 @@ std::size_t OptionSet::read(const std::vector<std::string>& all_words, std::size
         if (only_operands || is_number || !word.starts_with('-') || word == "-" || resembles_number(word) ||
             (!word.starts_with("--") && word.find_first_of("([{") != std::string::npos)) { // -Quaternion(...)
             const bool takes_value = is_number && !takes_names();
-            if (!only_operands && !takes_value && values.empty() && files.empty() && is_command(word)) {
+            if (!only_operands && !takes_value && operands.empty() && is_command(word)) {
                 break;
             }
-            (takes_value ? values : files).push_back(word);
-            (takes_value ? value_words : file_words).push_back({at, 0});
-            operands.push_back(word);
-            operand_words.push_back({at, 0});
+            operands.emplace_back(at, takes_value);
         } else if (word == "--") {
             only_operands = true;
         } else if (word.starts_with("--")) {
@@ -198,15 +179,17 @@ std::size_t OptionSet::read(const std::vector<std::string>& all_words, std::size
             }
         }
     }
-    const auto is_word = [&has_meaning](const std::string& file) {
-        return stream::File::why_unreadable(file.c_str()) != 0 && !has_meaning(file);
+    const auto may_be_value = [&](const std::pair<std::size_t, bool>& operand) {
+        const std::string& word = words[operand.first];
+        return operand.second || (stream::File::why_unreadable(word.c_str()) != 0 && !has_meaning(word));
     };
-    if (!takes_names() && !only_operands && !files.empty() &&
-        (!values.empty() || std::ranges::any_of(files, holds_number)) && std::ranges::all_of(files, is_word)) {
-        values = std::move(operands);
-        value_words = std::move(operand_words);
-        files.clear();
-        file_words.clear();
+    const auto holds_value = [this](const auto& each) { return each.second || holds_number(words[each.first]); };
+    const bool are_values = !takes_names() && !only_operands && std::ranges::any_of(operands, holds_value) &&
+                            std::ranges::all_of(operands, may_be_value);
+    for (const auto& [place, is_own] : operands) {
+        const bool is_one = is_own || are_values;
+        (is_one ? values : files).push_back(words[place]);
+        (is_one ? value_words : file_words).push_back({place, 0});
     }
     return at;
 }

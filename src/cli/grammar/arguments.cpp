@@ -57,10 +57,12 @@ double amount_of(const Option& option, double default_value, bool infinite) {
 }
 
 std::size_t count_of(const Option& option, std::size_t most, std::size_t least, std::size_t default_value) {
-    const auto range = std::pair(static_cast<double>(least), static_cast<double>(most));
-    return static_cast<std::size_t>(number_of(
-        option, static_cast<double>(default_value), fmt::format("whole number from {} to {}", least, most),
-        [range](double value) { return value == std::floor(value) && value >= range.first && value <= range.second; }));
+    return static_cast<std::size_t>(
+        number_of(option, static_cast<double>(default_value), fmt::format("whole number from {} to {}", least, most),
+                  [least, most](double value) {
+                      return value == std::floor(value) && value >= static_cast<double>(least) &&
+                             value <= static_cast<double>(most);
+                  }));
 }
 
 int time_power_of(const Option& option) { return one_of("time unit", option, time_units); }
@@ -93,11 +95,8 @@ GivenAngle given_angle(const Option& option, const std::string& text, bool degre
         }
         throw Usage("{0} {1}: {1}deg or {1}rad?", option.name(), number).with(std::move(mends));
     }
-    if (!has_unit && !degrees) {
-        return {.text = number};
-    }
     const AngleUnitName own = has_unit ? *unit : in_degrees;
-    return {fmt::format("{} {}", number, own.text), value, own};
+    return has_unit || degrees ? GivenAngle{fmt::format("{} {}", number, own.text), value, own} : GivenAngle{number};
 }
 
 double angle_of(const Option& option, bool degrees, double default_value) {
@@ -161,8 +160,7 @@ GivenNumbers numbers_of(const Option& option, bool degrees) {
         throw Usage("{}: {}", option.name(), std::string_view(error.what()).substr(argument_error.size()));
     }
     read.notes = std::move(values.notes);
-    std::vector<std::string_view> fields;
-    static_cast<void>(values.delimiter.split(values.row, fields));
+    const auto fields = values.fields();
     if (fields.size() != read.spec.size()) {
         throw Usage("{}: {} has {} numbers, not {}: {}", option.name(), representation(read.spec.name).text,
                     read.spec.size(), fields.size(), quoted(read.row));

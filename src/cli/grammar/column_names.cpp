@@ -11,6 +11,7 @@
 #include "../../core/projects.hpp"
 #include "../../operations/operations.hpp"
 #include "../../stream/beginning/column_list.hpp"
+#include "vocabulary.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -18,46 +19,11 @@ namespace {
 /// Bytes of the longest text that is a unit, without blanks and _: microseconds.
 constexpr std::size_t longest_unit = 12;
 
-bool is_in_unit(char c) noexcept { return c != ' ' && c != '\t' && c != '_'; }
-
-} // namespace
-
-std::string_view unit_of(std::string_view text) {
-    if ((text.starts_with('[') && text.ends_with(']')) || (text.starts_with('(') && text.ends_with(')'))) {
-        text = text.substr(1, text.size() - 2);
-    }
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> units{
-        {{"deg", " deg degree degrees dps \u00B0 "},
-         {"rad", " rad radian radians rps "},
-         {"s", " s sec secs second seconds "},
-         {"ms", " ms msec millisecond milliseconds "},
-         {"us", " us usec \u00B5s \u03BCs microsecond microseconds "},
-         {"ns", " ns nsec nsecs nanosecond nanoseconds "}}};
-    std::string unit = lower(text);
-    std::erase_if(unit, [](char c) { return !is_in_unit(c); });
-    if (unit.size() > longest_unit) {
-        return {};
-    }
-    for (const std::string_view per_second : {"", "/sec", "/s", "s^-1", "s-1", "pers", "s"}) {
-        const std::string word = ' ' + unit.substr(0, unit.size() - std::min(unit.size(), per_second.size())) + ' ';
-        for (const auto& [name, words] : units) {
-            const bool fits = per_second.empty() || name == "deg" || name == "rad";
-            if (fits && unit.ends_with(per_second) && word.size() > 2 && words.find(word) != std::string_view::npos) {
-                return name;
-            }
-        }
-    }
-    return {};
-}
-
-namespace {
-
 /// Whether a name has a unit of angles by time.
 bool is_unit_of_rate(std::string_view name) {
     const std::string text = lower(name);
-    constexpr std::array<std::string_view, 10> rates{"/s",    "s^-1",  "s-1",     "dps",     "rps",
-                                                     "deg_s", "rad_s", "deg_per", "rad_per", "per s"};
-    return std::ranges::any_of(rates, [&text](auto rate) { return text.find(rate) != std::string::npos; });
+    const auto is_in = [&text](std::string_view rate) { return text.find(rate) != std::string::npos; };
+    return std::ranges::any_of(split("/s,s^-1,s-1,dps,rps,deg_s,rad_s,deg_per,rad_per,per s", ','), is_in);
 }
 
 /// What names may share that are those of numbers.
@@ -66,6 +32,7 @@ enum class Shared : std::uint8_t {
     nothing,       ///< they stand side by side
     of_velocities, ///< a prefix that says so, or nothing where all other names are times
     of_quaternion, ///< q, of which there is no fourth number: QC of CCSDS
+    of_labels,     ///< r, rot and the like, or nothing, and no suffix
 };
 
 /// What the names of a part's numbers may be, without what they share, in the order of the part.
@@ -119,6 +86,10 @@ std::vector<Spelling> spellings_of(const Part& part) {
         }
         add("r p y", decides, Shared::nothing);
     }
+    const bool is_vector = spec.name == rotvec || spec.name == cayley || spec.name == mrp;
+    if (part.is_labelled && (is_vector || (has_axes && spec.project == nullptr && !spec.sequence.proper()))) {
+        add("x y z", true, Shared::of_labels);
+    }
     return spellings;
 }
 
@@ -147,23 +118,23 @@ bool has_at_end(std::string_view name, std::string_view words) {
     });
 }
 
-/// Whether a name has a word that begins with one of these, or is one of those.
-bool has_word(std::string_view name, std::string_view beginnings, std::string_view wholes = "") {
+/// Whether a name has a word that begins with one of these, and behind that the end.
+bool has_word(std::string_view name, std::string_view beginnings, std::string_view end = "") {
     const std::string own = own_words(name);
-    const auto has = [&own](std::string_view words, std::string_view end) {
-        return std::ranges::any_of(words_in(words), [&](const std::string& word) {
-            return own.find(fmt::format("_{}{}", word, end)) != std::string::npos;
-        });
-    };
-    return has(beginnings, "") || has(wholes, "_");
+    return std::ranges::any_of(words_in(beginnings), [&](const std::string& word) {
+        return own.find(fmt::format("_{}{}", word, end)) != std::string::npos;
+    });
 }
 
 /// What names say of numbers that are never taken by themselves.
 bool is_of_error(std::string_view name) {
-    return has_word(name, "speed spd dps acc std sigma cov var err delta reset offset bias", "dot");
+    return has_word(name, "speed spd dps acc std sigma cov var err delta reset offset bias") ||
+           has_word(name, "dot", "_");
 }
 bool is_of_rate(std::string_view name) { return has_word(name, "rate vel"); }
-bool is_of_command(std::string_view name) { return has_word(name, "cmd setpoint target ref", "sp des desired"); }
+bool is_of_command(std::string_view name) {
+    return has_word(name, "cmd setpoint target ref") || has_word(name, "sp des desired", "_");
+}
 
 /// Calls what to do with the place of the first word in its name, and with the places of all, for each set of names
 /// that are the words between one prefix and one suffix. A name that stands twice, or that is as long as a text, is in
@@ -171,27 +142,22 @@ bool is_of_command(std::string_view name) { return has_word(name, "cmd setpoint 
 template <class Take>
 void for_each_set(const std::vector<std::string>& words, const std::vector<std::string>& names, const Take& take) {
     constexpr std::size_t longest = 200;
-    constexpr auto twice = std::string::npos;
-    std::unordered_map<std::string, std::size_t> place_of;
+    std::unordered_map<std::string_view, std::vector<std::size_t>> places_of;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (names[i].size() > longest) {
-            continue;
-        }
-        if (const auto [at, is_new] = place_of.emplace(names[i], i); !is_new) {
-            at->second = twice;
+        if (names[i].size() <= longest) {
+            places_of[names[i]].push_back(i);
         }
     }
-    std::vector<std::size_t> places;
     for (const std::string& name : names) {
         const auto first = name.size() > longest ? std::string::npos : name.find(words.front());
         for (auto at = first; at != std::string::npos; at = name.find(words.front(), at + 1)) {
-            places.clear();
+            std::vector<std::size_t> places;
             for (const std::string& word : words) {
-                const auto found = place_of.find(std::string(name).replace(at, words.front().size(), word));
-                if (found == place_of.end() || found->second == twice) {
+                const auto found = places_of.find(std::string(name).replace(at, words.front().size(), word));
+                if (found == places_of.end() || found->second.size() > 1) {
                     break;
                 }
-                places.push_back(found->second);
+                places.push_back(found->second.front());
             }
             if (places.size() == words.size()) {
                 take(at, places);
@@ -201,8 +167,8 @@ void for_each_set(const std::vector<std::string>& words, const std::vector<std::
 }
 
 /// Whether the words, which stand at `places` of the names without units, share what they may.
-bool is_shared(const Spelling& spelling, std::string_view prefix, const std::vector<std::size_t>& places,
-               const std::vector<std::string>& names) {
+bool is_shared(const Spelling& spelling, std::string_view prefix, std::string_view suffix,
+               const std::vector<std::size_t>& places, const std::vector<std::string>& names) {
     const auto& words = spelling.words;
     if (spelling.shared == Shared::anything) {
         return true;
@@ -214,6 +180,10 @@ bool is_shared(const Spelling& spelling, std::string_view prefix, const std::vec
     if (spelling.shared == Shared::nothing) {
         return is_bare && std::ranges::max(places) - std::ranges::min(places) + 1 == places.size();
     }
+    if (spelling.shared == Shared::of_labels) {
+        const std::string own = without_marks(prefix);
+        return (own.empty() || is(vocabulary::vector_of_angles, own)) && without_marks(suffix).empty();
+    }
     const auto is_own_or_time = [&words](const std::string& name) {
         return std::ranges::count(words, name) > 0 || has_at_end(name, "t time timestamp stamp");
     };
@@ -221,7 +191,97 @@ bool is_shared(const Spelling& spelling, std::string_view prefix, const std::vec
                    : has_at_end(prefix, "w omega gyro gyr gyroscope angular_velocity");
 }
 
+/// All sets of names, each once; those that do not decide only where no other is.
+std::vector<KnownNames> all_sets(const Part& part, std::span<const std::string> names) {
+    std::vector<std::vector<std::string>> texts{mapped(names, lower)};
+    texts.push_back(mapped(names, [](const std::string& name) { return name_and_unit(name).first; }));
+    texts.resize(texts[0] == texts[1] ? 1 : 2); // without units, if there are any
+    std::vector<KnownNames> found;
+    std::set<std::vector<std::size_t>> known;
+    const auto spellings = spellings_of(part);
+    for (const Spelling& spelling : spellings) {
+        if (!found.empty() && !spelling.decides) {
+            break;
+        }
+        for (const auto& each : texts) {
+            for_each_set(spelling.words, each, [&](std::size_t size, const std::vector<std::size_t>& places) {
+                const std::string prefix = names[places[0]].substr(0, size);
+                const std::string suffix = names[places[0]].substr(size + spelling.words[0].size());
+                const bool is_bare = each[places[0]] == spelling.words[0];
+                if (is_shared(spelling, prefix, suffix, places, each) && known.insert(places).second) {
+                    found.push_back({places, spelling.decides,
+                                     !is_bare                        ? 2
+                                     : &spelling == spellings.data() ? 0
+                                                                     : 1,
+                                     prefix, suffix});
+                }
+            });
+        }
+    }
+    return found;
+}
+
+/// Whether the set may be taken although nobody selects it. @param is_pair two attitudes of one SPEC are looked for
+bool may_be_taken(const KnownNames& set, const Part& part, std::span<const std::string> names, bool is_pair) {
+    if (!set.decides) {
+        const bool is_from_one = set.of(names)[0].find('1') != std::string::npos;
+        return part.attitude->name == RepresentationId::quat && has_at_end(set.prefix, "q quat quaternion attitude") &&
+               (!is_from_one || part.attitude->has_given_order || part.attitude->project != nullptr);
+    }
+    const bool has_angles = part.attitude && representation(part.attitude->name).has_angles();
+    auto texts = set.of(names);
+    texts.push_back(set.suffix);
+    return std::ranges::none_of(texts, [&](const std::string& name) {
+        const bool has_rate = has_angles && is_unit_of_rate(name);
+        const bool is_other = set.rank > 0 && (is_of_error(name) || (part.attitude && is_of_rate(name)) ||
+                                               (!is_pair && is_of_command(name)));
+        return has_rate || is_other;
+    });
+}
+
+/// The columns of times, or of the key.
+std::vector<KnownNames> kept_columns(const std::vector<std::string>& names, const std::string& key) {
+    std::vector<KnownNames> found;
+    if (!key.empty()) {
+        const auto places = std::get<stream::ColumnList>(stream::ColumnList::parse(key, 1)).positions(names);
+        const auto* const place = std::get_if<std::vector<std::size_t>>(&places);
+        return place == nullptr ? found : std::vector{KnownNames{*place}};
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        found.insert(found.end(), is_name_of_time(names[i]) ? 1 : 0, KnownNames{{i}});
+    }
+    return found;
+}
+
 } // namespace
+
+std::string_view unit_of(std::string_view text) {
+    if ((text.starts_with('[') && text.ends_with(']')) || (text.starts_with('(') && text.ends_with(')'))) {
+        text = text.substr(1, text.size() - 2);
+    }
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> units{
+        {{"deg", " deg degree degrees dps \u00B0 "},
+         {"rad", " rad radian radians rps "},
+         {"s", " s sec secs second seconds "},
+         {"ms", " ms msec millisecond milliseconds "},
+         {"us", " us usec \u00B5s \u03BCs microsecond microseconds "},
+         {"ns", " ns nsec nsecs nanosecond nanoseconds "}}};
+    std::string unit = lower(text);
+    std::erase_if(unit, [](char c) { return c == ' ' || c == '\t' || c == '_'; });
+    if (unit.size() > longest_unit) {
+        return {};
+    }
+    for (const std::string_view per_second : {"", "/sec", "/s", "s^-1", "s-1", "pers", "s"}) {
+        const std::string word = unit.substr(0, unit.size() - std::min(unit.size(), per_second.size()));
+        for (const auto& [name, words] : units) {
+            const bool fits = per_second.empty() || name == "deg" || name == "rad";
+            if (fits && unit.ends_with(per_second) && is(words, word)) {
+                return name;
+            }
+        }
+    }
+    return {};
+}
 
 std::pair<std::string, std::string_view> name_and_unit(const std::string& text) {
     const auto bracket = text.ends_with(']')   ? text.rfind('[')
@@ -242,26 +302,21 @@ std::pair<std::string, std::string_view> name_and_unit(const std::string& text) 
 }
 
 bool is_unit(std::string_view text) {
-    constexpr std::string_view others = " m mm cm m/s m/s^2 m/s2 g 1 ";
     constexpr std::string_view in_brackets = " na n/a none % v c km ft hz pa hpa mbar ut "; // without, perhaps data
-    const std::string own = lower(text.substr(std::min(text.find_first_not_of("[("), text.size())));
-    const std::string word = " " + own.substr(0, own.find_last_not_of("])") + 1) + " ";
-    const bool is_other = others.find(word) != std::string_view::npos ||
-                          (own.size() < text.size() && in_brackets.find(word) != std::string_view::npos);
-    return !unit_of(text).empty() || (!own.empty() && is_other);
+    const std::string_view own = text.substr(std::min(text.find_first_not_of("[("), text.size()));
+    const std::string_view word = own.substr(0, own.find_last_not_of("])") + 1);
+    return !unit_of(text).empty() || is(" m mm cm m/s m/s^2 m/s2 g 1 ", word) ||
+           (own.size() < text.size() && is(in_brackets, word));
 }
 
-bool is_name_of_time(const std::string& name) {
-    constexpr std::array<std::string_view, 4> times{"t", "time", "timestamp", "stamp"};
-    return std::ranges::count(times, name_and_unit(name).first) != 0;
-}
+bool is_name_of_time(const std::string& name) { return is(" t time timestamp stamp ", name_and_unit(name).first); }
 
 bool has_open_order(const Spec& spec) {
     return spec.name == RepresentationId::quat && !spec.has_given_order && spec.project == nullptr;
 }
 
 bool is_of_other_quantity(std::string_view name) {
-    return is_of_error(name) || is_of_rate(name) || is_of_command(name) || has_word(name, "", "gyro");
+    return is_of_error(name) || is_of_rate(name) || is_of_command(name) || has_word(name, "gyro", "_");
 }
 
 std::vector<Part> parts_of(const stream::RowNumbers& numbers) {
@@ -283,40 +338,6 @@ std::vector<Part> parts_of(const stream::RowNumbers& numbers) {
     return parts;
 }
 
-namespace {
-
-/// All sets of names, each once; those that do not decide only where no other is.
-std::vector<KnownNames> all_sets(const Part& part, std::span<const std::string> names) {
-    std::vector<std::vector<std::string>> texts{mapped(names, lower)};
-    texts.push_back(mapped(names, [](const std::string& name) { return name_and_unit(name).first; }));
-    texts.resize(texts[0] == texts[1] ? 1 : 2); // without units, if there are any
-    std::vector<KnownNames> found;
-    std::set<std::vector<std::size_t>> known;
-    const auto spellings = spellings_of(part);
-    for (const Spelling& spelling : spellings) {
-        if (!found.empty() && !spelling.decides) {
-            break;
-        }
-        for (const auto& each : texts) {
-            for_each_set(spelling.words, each, [&](std::size_t size, const std::vector<std::size_t>& places) {
-                const auto prefix = std::string_view(names[places[0]]).substr(0, size);
-                const bool is_bare = each[places[0]] == spelling.words[0];
-                if (is_shared(spelling, prefix, places, each) && known.insert(places).second) {
-                    found.push_back({places, spelling.decides,
-                                     !is_bare                        ? 2
-                                     : &spelling == spellings.data() ? 0
-                                                                     : 1,
-                                     std::string(prefix), names[places[0]].substr(size + spelling.words[0].size()),
-                                     !spelling.decides && spelling.words[0].size() == 1});
-                }
-            });
-        }
-    }
-    return found;
-}
-
-} // namespace
-
 std::optional<KnownNames> find_names(const Part& part, std::span<const std::string> names) {
     auto sets = all_sets(part, names);
     const auto best = std::ranges::min_element(
@@ -329,46 +350,6 @@ std::optional<KnownNames> find_names(const Part& part, std::span<const std::stri
     }
     return *best;
 }
-
-namespace {
-
-/// Whether the set may be taken although nobody selects it. @param is_pair two attitudes of one SPEC are looked for
-bool may_be_taken(const KnownNames& set, const Part& part, std::span<const std::string> names, bool is_pair) {
-    if (!set.decides) {
-        const bool is_quaternion =
-            set.is_numbered && part.attitude && has_at_end(set.prefix, "q quat quaternion attitude");
-        const bool is_from_one = set.of(names)[0].find('1') != std::string::npos;
-        return is_quaternion && (!is_from_one || part.attitude->has_given_order || part.attitude->project != nullptr);
-    }
-    const bool has_angles = part.attitude && representation(part.attitude->name).has_angles();
-    auto texts = set.of(names);
-    texts.push_back(set.suffix);
-    return std::ranges::none_of(texts, [&](const std::string& name) {
-        const bool has_rate = has_angles && is_unit_of_rate(name);
-        const bool is_other = set.rank > 0 && (is_of_error(name) || (part.attitude && is_of_rate(name)) ||
-                                               (!is_pair && is_of_command(name)));
-        return has_rate || is_other;
-    });
-}
-
-/// The columns of times, or of the key.
-std::vector<KnownNames> kept_columns(const std::vector<std::string>& names, const std::string& key) {
-    std::vector<KnownNames> found;
-    if (!key.empty()) {
-        const auto list = stream::ColumnList::parse(key, 1);
-        const auto places = std::get<stream::ColumnList>(list).positions(names);
-        const auto* const place = std::get_if<std::vector<std::size_t>>(&places);
-        return place == nullptr ? found : std::vector{KnownNames{*place}};
-    }
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (is_name_of_time(names[i])) {
-            found.push_back({{i}});
-        }
-    }
-    return found;
-}
-
-} // namespace
 
 ColumnSets sets_of_row(const std::vector<Part>& parts, const std::vector<std::string>& names, const std::string& key) {
     ColumnSets sets{.are_known = true, .rows = {{}}};

@@ -28,7 +28,6 @@ struct KnownNames {
     int rank = 0;         ///< 0: rotconv's own names; 1: they share nothing; 2: a prefix or a suffix
     std::string prefix{}; ///< what they share before the numbers' own words, and behind them
     std::string suffix{};
-    bool is_numbered = false; ///< 0 1 2 3 or 1 2 3 4
 
     /// Their texts, of all that are there, in the order of the numbers.
     [[nodiscard]] std::vector<std::string> of(std::span<const std::string> names) const {
@@ -41,7 +40,8 @@ struct Part {
     std::vector<std::string> names; ///< as rotconv writes them
     std::size_t begin = 0;          ///< the place of the first number
     std::optional<Spec> attitude{};
-    bool is_kept = false; ///< a time or a key
+    bool is_kept = false;     ///< a time or a key
+    bool is_labelled = false; ///< x y z are components of a vector along the axes, or angles about them
 
     /// This part's slice of a list with an entry for each number of a row.
     [[nodiscard]] std::span<const std::string> of(std::span<const std::string> row) const {

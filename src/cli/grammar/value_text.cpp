@@ -2,57 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <cstdint>
 #include <utility>
 
-#include <rotconv/spec.hpp>
-
-#include "../../core/text.hpp"
-#include "../../stream/numbers/fmt.hpp"
 #include "../../stream/numbers/number_text.hpp"
 #include "../messages/messages.hpp"
 #include "../option_set.hpp"
 
 namespace rotconv::cli {
 namespace {
-
-/// The words of each WordKind, in its order, with blanks around each.
-constexpr auto words_of_kinds = std::to_array<std::string_view>({
-    " rotation orientation attitude in is at the 3x3 4x4 ",
-    " decl local const pers e6pos frame pos robtarget auto var float double int "
-    "quatf quatd matrix4d matrix3d float3 double3 ",
-    " array asarray matrix vector tensor list tuple point rotation transform pose float double int p ",
-    " from_quat tf::quaternion tf2::quaternion ",
-    " dtype device layout requires_grad grad_fn frame_id child_frame_id ",
-    " name type class frame relative_to ",
-    " true false yes no none null ",
-    " deg degree degrees \u00B0 ",
-    " rad radian radians ",
-    " mm cm m in ",
-    " position translation pos xyz origin scale center size t tvec time covariance angular linear omega gyro gyr ",
-    " rows cols ",
-    " dot sp des desired ",
-    " rate speed spd dps vel acc std sigma cov var err cmd setpoint target ref delta reset offset bias ",
-    " inv inverse inverted conj conjugate transpose transposed neg negative minus ",
-    " matrix euler ",
-    " rotation orientation attitude rot ori ",
-    " w x y z i j k ",
-    " r rot rotvec rvec angle ",
-});
-
-/// Names of representations that a SPEC does not have.
-constexpr auto other_names = std::to_array<std::pair<std::string_view, RepresentationId>>({
-    {" q ", RepresentationId::quat},
-    {" r rotmat ", RepresentationId::dcm},
-    {" rvec rotationvector prv ", RepresentationId::rotvec},
-    {" aa axisangle ", RepresentationId::axis_angle},
-    {" crp ", RepresentationId::cayley},
-});
-
-/// The list has blanks around each of its words.
-bool is_in(std::string_view list, std::string_view word) {
-    return !word.empty() && list.find(fmt::format(" {} ", word)) != std::string_view::npos;
-}
 
 constexpr std::string_view digits = "0123456789";
 
@@ -61,14 +19,6 @@ bool is_name(std::string_view word) {
     word = word.substr(0, word.find('['));
     return !word.empty() && digits.find(word[0]) == std::string_view::npos && word[0] != '.' && word[0] != ':' &&
            std::ranges::all_of(word, [](char c) { return is_alphanumeric(c) || c == '_' || c == '.' || c == ':'; });
-}
-
-/// What is left without digits and the letters of a type behind them: Matrix3d, Vector4f, Matrix3x3.
-std::string_view without_type(std::string_view word) {
-    const std::size_t end = word.find_last_not_of("dfi") + 1;
-    word = word.substr(0, end > 0 && digits.find(word[end - 1]) != std::string_view::npos ? end : word.size());
-    const std::size_t size = word.find_last_not_of("0123456789xX") + 1;
-    return word.find_first_of(digits, size) == std::string_view::npos ? word : word.substr(0, size);
 }
 
 /// The last part of a dotted or :: name.
@@ -171,12 +121,13 @@ private:
             size += rest[size] == ':' ? 1 : 0;
         }
         const std::string_view whole = rest.substr(0, size);
+        const auto is_term = [](char end) { return end >= 'i' && end <= 'k'; };
         if (number(whole)) {
             return;
         }
         for (auto sign = whole.find_first_of("+-", 1); sign != std::string_view::npos;
              sign = whole.find_first_of("+-", sign + 1)) {
-            const bool is_sum = is_in(" i j k ", whole.substr(sign - 1, 1)) || is_in(" i j k ", whole.substr(size - 1));
+            const bool is_sum = is_term(whole[sign - 1]) || is_term(whole.back());
             if (is_sum && number(whole.substr(0, sign))) { // the rest comes next
                 return;
             }
@@ -191,11 +142,11 @@ private:
 
     /// Adds the word if it is a number, perhaps with its unit.
     bool number(std::string_view word) {
-        static constexpr auto suffixes =
-            std::to_array<std::string_view>({"", "degrees", "degree", "deg", "\u00B0", "radians", "radian", "rad", "mm",
-                                             "cm", "m", "in", "f", "F", "i", "j", "k"});
+        static const std::string all =
+            fmt::format("{}{}{}f F i j k", vocabulary::degrees, vocabulary::radians, vocabulary::length);
+        static const auto suffixes = split(all, ' '); // of which the first is empty
         const auto text = [word](std::string_view suffix) { return word.substr(0, word.size() - suffix.size()); };
-        const auto* const suffix = std::ranges::find_if(
+        const auto suffix = std::ranges::find_if(
             suffixes, [&](std::string_view each) { return word.ends_with(each) && stream::is_number(text(each)); });
         if (suffix == suffixes.end()) {
             return false;
@@ -242,6 +193,14 @@ private:
         brackets_ += taken.kind == TokenKind::open || taken.kind == TokenKind::close ? 1 : 0;
         at_ += taken.kind == TokenKind::end ? 0 : 1;
         return taken;
+    }
+    /// How many line ends come next.
+    [[nodiscard]] std::size_t lines_ahead() const {
+        std::size_t lines = 0;
+        while (peek(lines).kind == TokenKind::line) {
+            ++lines;
+        }
+        return lines;
     }
     /// The token before the next; none at the beginning.
     [[nodiscard]] const Token& last() const {
@@ -317,23 +276,16 @@ private:
     }
 
     void number(std::size_t group, std::string_view label) {
-        const bool is_joined = last().kind == TokenKind::number || is_unit(last());
+        const bool is_joined = label.empty() && (last().kind == TokenKind::number || is_unit(last()));
         const bool after_comma = last().text == ",";
         const Token& token = take();
         if (size() == most_numbers) {
             refuse(token, fmt::format("more than {} numbers are not one attitude", most_numbers));
         }
-        ValueNumber& made = read_.numbers.emplace_back();
-        made.text = token.text;
-        made.label = label;
-        made.unit = unit_of_word(token.suffix);
-        made.group = group;
-        made.bracket = brackets_;
-        made.is_joined = is_joined && label.empty();
-        made.after_comma = after_comma;
-        if (is_unit(peek()) && peek(1).kind != TokenKind::is) {
-            made.unit = unit_of_word(take().text);
-        }
+        const std::string_view unit =
+            unit_of_word(is_unit(peek()) && peek(1).kind != TokenKind::is ? take().text : token.suffix);
+        read_.numbers.push_back(
+            {std::string(token.text), std::string(label), std::string(unit), group, brackets_, is_joined, after_comma});
     }
 
     /// The terms of a quaternion's sum, which has i, j or k; those that are missing are 0.
@@ -344,31 +296,26 @@ private:
             const std::string_view sign = peek(ahead).text;
             const bool has_sign = ahead > 0 && peek(ahead).kind == TokenKind::word && (sign == "+" || sign == "-");
             const Token& term = peek(ahead + (has_sign ? 1 : 0));
-            const std::size_t place = is_in(" i j k ", term.suffix) ? std::string_view("wijk").find(term.suffix) : 0;
+            const std::size_t place =
+                term.suffix.empty() ? 0 : std::string_view("ijk").find(term.suffix) + 1; // 0: none
             const bool is_signed = has_sign || term.text.starts_with('+') || term.text.starts_with('-');
             if (term.kind != TokenKind::number || (ahead > 0 && place == 0 && !(has_letter && is_signed))) {
-                if (!has_letter) {
-                    return false;
+                at_ += has_letter ? ahead : 0;
+                for (std::size_t i = 0; has_letter && i < terms.size(); ++i) {
+                    const std::string text = terms.at(i).empty() ? "0" : terms.at(i);
+                    read_.numbers.push_back({text, std::string(1, "wxyz"[i]), {}, group, brackets_});
                 }
-                break;
+                return has_letter;
             }
             if (!terms.at(place).empty()) {
                 refuse(term, "two terms of the sum are of one kind");
             }
             const bool is_negative = (has_sign && sign == "-") != term.text.starts_with('-');
-            terms.at(place) =
-                (is_negative ? "-" : "") + std::string(term.text.substr(term.text.find_first_not_of("+-")));
+            terms.at(place) = term.text.substr(term.text.find_first_not_of("+-"));
+            terms.at(place).insert(0, is_negative ? "-" : "");
             has_letter = has_letter || place > 0;
             ahead += has_sign ? 2 : 1;
         }
-        for (std::size_t i = 0; i < terms.size(); ++i) {
-            read_.numbers.push_back({.text = terms.at(i).empty() ? "0" : terms.at(i),
-                                     .label = std::string(1, "wxyz"[i]),
-                                     .group = group,
-                                     .bracket = brackets_});
-        }
-        at_ += ahead;
-        return true;
     }
 
     /// A bracket and what stands in it, and the unit behind it.
@@ -381,7 +328,7 @@ private:
                                     std::string_view::npos;
         const bool is_label =
             has_content ||
-            (!element.empty() && (!is(WordKind::container, without_type(element)) || named_representation(element)));
+            (!element.empty() && (!is(vocabulary::container, without_type(element)) || named_representation(element)));
         const std::size_t own = is_label ? new_group(group, element) : group;
         const std::size_t first = size();
         const bool was_xml = std::exchange(in_xml_, !element.empty());
@@ -455,7 +402,7 @@ private:
         const Token& next = peek(at + 1);
         return peek(at + 1 + remark_size(at + 1)).kind == TokenKind::is ||
                (next.kind == TokenKind::number && !next.is_joined && !is_convention(token) &&
-                !is(WordKind::heading, token.text) &&
+                !is(vocabulary::heading, token.text) &&
                 !(named_representation(token.text) && peek(at + 2).kind == TokenKind::number)); // q 0.8 0 0 0.6
     }
 
@@ -464,41 +411,30 @@ private:
         const bool is_labelled = is_label(0);
         const Token& token = take();
         const std::string_view text = token.text;
-        if (text == "-" && token.begins_line && !peek().is_joined) { // of a list
-            std::size_t lines = 0;
-            while (peek(lines).kind == TokenKind::line) {
-                ++lines;
-            }
-            const TokenKind next = peek(lines).kind;
-            if (next == TokenKind::word ||
-                (limit_ != no_limit && (next == TokenKind::number || next == TokenKind::open))) {
-                return;
-            }
+        if (const TokenKind next = peek(lines_ahead()).kind; // of a list
+            text == "-" && token.begins_line && !peek().is_joined &&
+            (next == TokenKind::word ||
+             (limit_ != no_limit && (next == TokenKind::number || next == TokenKind::open)))) {
+            return;
         }
-        if (!is_name(text) && !is_unit(token) && !is(WordKind::heading, text)) {
+        if (!is_name(text) && !is_unit(token) && !is(vocabulary::heading, text)) {
             refuse(token);
         }
-        if (is_labelled && peek().kind == TokenKind::number) {
-            if (sum(group)) {
-                refuse(token);
-            }
-            number(group, text);
-            return;
+        const bool is_labelled_number = is_labelled && peek().kind == TokenKind::number;
+        if ((is_labelled_number && sum(group)) || (!is_labelled && is_operation(text))) {
+            refuse(token);
         }
         if (is_labelled) {
-            label(group, token);
+            is_labelled_number ? number(group, text) : label(group, token);
             return;
         }
-        if (is_operation(text)) {
-            refuse(token);
-        }
         const auto named = named_representation(last_part(text));
-        const bool is_container = named || is(WordKind::container, without_type(last_part(text)));
+        const bool is_container = named || is(vocabulary::container, without_type(last_part(text)));
         const Token& next = peek(remark_size());
         const bool is_call = next.kind == TokenKind::open && remark_size() == 0 && next.text.size() == 1;
-        if (next.kind == TokenKind::open && next.text.size() == 1 && (is_container || is(WordKind::heading, text))) {
+        if (next.kind == TokenKind::open && next.text.size() == 1 && (is_container || is(vocabulary::heading, text))) {
             const std::size_t own = named ? new_group(group, last_part(text)) : group; // Quaternion (xyzw) [...]
-            if (is(WordKind::container_xyzw, text) || is(WordKind::container_xyzw, last_part(text)) ||
+            if (is(vocabulary::container_xyzw, text) || is(vocabulary::container_xyzw, last_part(text)) ||
                 (lower(before) == "in" && named == RepresentationId::quat)) { // tf2_echo's "in Quaternion ["
                 add_word("xyzw", own);
             }
@@ -508,9 +444,9 @@ private:
             add_word(last_part(text), group);
         } else if (const TokenKind kind = peek().kind;
                    is_call || (!(named && (kind == TokenKind::number || kind == TokenKind::line)) && // R and its rows
-                               !is(WordKind::heading, text) &&
+                               !is(vocabulary::heading, text) &&
                                !(kind == TokenKind::word && !is_unit(peek()) &&
-                                 (is_container || is(WordKind::declaration, text))))) {
+                                 (is_container || is(vocabulary::declaration, text))))) {
             refuse(token);
         }
     }
@@ -560,11 +496,8 @@ private:
 
     /// The end of the lines below a label that are deeper than its own, or that go on from it without a label.
     [[nodiscard]] std::size_t end_of_block(const Token& label, bool is_empty) const {
-        std::size_t end = at_;
-        while (peek(end - at_).kind == TokenKind::line) {
-            ++end;
-        }
-        const Token& next = peek(end - at_);
+        std::size_t end = at_ + lines_ahead();
+        const Token& next = peek(lines_ahead());
         const auto goes_on = [&](const Token& token) {
             return token.indent > label.indent ||
                    (is_empty && token.indent == label.indent && (token.text == "-" || token.kind != TokenKind::word));
@@ -581,7 +514,7 @@ private:
 
     /// Takes what a label has that is not a number.
     bool is_text(const Token& label, std::string_view name) {
-        if (!is(WordKind::text_key, name) && !(in_xml_ && is(WordKind::xml_key, name))) {
+        if (!is(vocabulary::text_key, name) && !(in_xml_ && is(vocabulary::xml_key, name))) {
             return false;
         }
         const std::size_t end = end_of_block(label, true);
@@ -599,25 +532,22 @@ private:
     /// Takes a word that says with its label how the numbers of the group are meant.
     bool is_convention(std::size_t group, const Token& label, std::string_view name) {
         const Token& value = peek();
-        const bool is_truth = value.kind == TokenKind::word && is(WordKind::truth, value.text);
-        const bool is_true = lower(value.text) == "true";
-        std::string_view word;
-        if (is_truth && name == "scalar_first") { // wins over a name's order
-            std::erase_if(read_.words, [&](const auto& each) { return each.group == group && each.text == "xyzw"; });
-            word = is_true ? "wxyz" : "xyzw";
-        } else if (is_truth && name == "degrees") {
-            word = is_true ? "deg" : "rad";
+        const bool is_truth = value.kind == TokenKind::word && is(vocabulary::truth, value.text);
+        const bool is_order = name == "scalar_first";
+        std::string_view word = value.text;
+        if (is_truth && (is_order || name == "degrees")) {
+            const bool is_true = lower(word) == "true";
+            word = is_order ? (is_true ? "wxyz" : "xyzw") : (is_true ? "deg" : "rad");
+            std::erase_if(read_.words, [&](const ValueWord& each) { // it wins over a name's order
+                return is_order && each.group == group && each.text == "xyzw";
+            });
         } else if (is_truth) {
             refuse(label);
-        } else if ((name == "order" || name == "seq") && is_convention(value)) {
-            word = value.text;
-            if (name == "order" && EulerSequence::parse(word)) {
-                refuse(value,
-                       "as an order this is about the body's axes in three.js, about fixed ones in Blender: write "
-                       "a sequence alone, ZYX or zyx");
-            }
-        } else {
+        } else if ((name != "order" && name != "seq") || !is_convention(value)) {
             return false;
+        } else if (name == "order" && EulerSequence::parse(word)) {
+            refuse(value, "as an order this is about the body's axes in three.js, about fixed ones in Blender: write "
+                          "a sequence alone, ZYX or zyx");
         }
         take();
         add_word(word, group);
@@ -659,68 +589,6 @@ private:
 // NOLINTEND(misc-no-recursion)
 
 } // namespace
-
-std::string_view words_of(WordKind kind) { return words_of_kinds.at(static_cast<std::size_t>(kind)); }
-
-bool is(WordKind kind, std::string_view word) { return is_in(words_of(kind), lower(word)); }
-
-std::string_view unit_of_word(std::string_view word) {
-    return is(WordKind::degrees, word)   ? "deg"
-           : is(WordKind::radians, word) ? "rad"
-           : is(WordKind::length, word)  ? "m"
-                                         : "";
-}
-
-std::string convention_in(std::string_view word) {
-    const std::string low = lower(word);
-    const std::string_view unit = unit_of_word(word);
-    const auto is_named = [&low](Modifier modifier) { return name_of(modifier) == low; };
-    return word.size() == 1 && low != "\u00B0"                                    ? ""
-           : unit == "deg" || unit == "rad"                                       ? std::string(unit)
-           : low == "ypr" || std::ranges::any_of(all_modifiers, is_named)         ? low
-           : EulerSequence::parse(word) || named_representation(word).has_value() ? std::string(word)
-                                                                                  : "";
-}
-
-std::optional<RepresentationId> named_representation(std::string_view word) {
-    std::string text = lower(word);
-    for (const std::string_view prefix : {"from_", "unit"}) {
-        text.erase(0, text.starts_with(prefix) ? prefix.size() : 0);
-    }
-    const auto without_letter = text.substr(0, text.size() - (text.ends_with('d') || text.ends_with('f') ? 1 : 0));
-    for (const std::string& each : {text, std::string(without_type(text)), without_letter}) {
-        if (const Representation* const entry = find_representation(each)) {
-            return entry->name;
-        }
-        const auto* const other =
-            std::ranges::find_if(other_names, [&each](const auto& name) { return is_in(name.first, each); });
-        if (other != other_names.end() && (each.size() > 1 || word == "q" || word == "R")) {
-            return other->second;
-        }
-    }
-    return std::nullopt;
-}
-
-std::vector<std::string> parts_of_label(std::string_view label) {
-    std::vector<std::string> parts(1);
-    for (std::size_t i = 0; i < label.size(); ++i) {
-        const bool is_mark = std::string_view("_.: \t").find(label[i]) != std::string_view::npos;
-        const bool begins = i > 0 && std::isupper(static_cast<unsigned char>(label[i])) != 0 &&
-                            std::islower(static_cast<unsigned char>(label[i - 1])) != 0;
-        if ((is_mark || begins) && !parts.back().empty()) {
-            parts.emplace_back();
-        }
-        if (!is_mark) {
-            parts.back() += label[i];
-        }
-    }
-    return parts;
-}
-
-bool is_operation(std::string_view label) {
-    return label.ends_with(".T") || label.ends_with("_T") ||
-           std::ranges::any_of(parts_of_label(label), [](const auto& part) { return is(WordKind::operation, part); });
-}
 
 ValueText parse_values(std::string_view text) { return Parser(text).read(); }
 

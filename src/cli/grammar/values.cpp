@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <utility>
 
 #include "../../core/projects.hpp"
@@ -20,15 +21,8 @@ namespace {
 using Indices = std::vector<std::size_t>; ///< of groups of a text
 using Numbers = std::vector<ValueNumber>;
 
-template <class... Arguments>
-[[noreturn]] void refuse(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    throw Usage("argument: {}", fmt::format(format, std::forward<Arguments>(arguments)...));
-}
-
-/// The same where other SPECs are meant.
-template <class... Arguments> [[noreturn]] void
-refuse_for(std::vector<std::string> specs, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    throw Usage("argument: {}", fmt::format(format, std::forward<Arguments>(arguments)...)).of(std::move(specs));
+template <class... Arguments> Usage wrong(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    return Usage("{}{}", argument_error, fmt::format(format, std::forward<Arguments>(arguments)...));
 }
 
 std::vector<std::string> labels_of(const Numbers& numbers) { return mapped(numbers, &ValueNumber::label); }
@@ -36,44 +30,9 @@ std::vector<std::string> without_empty(const std::vector<std::string>& texts) {
     return filtered(texts, [](const std::string& text) { return !text.empty(); });
 }
 
-/// deg or rad at the end of a label: roll_deg, "yaw [rad]", rollDeg.
-std::string unit_in(const std::string& label) {
-    const auto unit = name_and_unit("_ " + joined(parts_of_label(label), "_")).second;
-    return unit == "deg" || unit == "rad" ? std::string(unit) : std::string();
-}
-
-/// The words of convention at the end of a label.
-std::vector<std::string> conventions_in(const std::string& label) {
-    auto words = mapped(parts_of_label(label), convention_in);
-    words.erase(words.begin(), std::ranges::find(words.rbegin(), words.rend(), "").base());
-    return words;
-}
-
-/// The last part of a label that is not a unit or an order.
-std::string name_in(const std::string& label) {
-    const auto parts = parts_of_label(label);
-    const auto name = std::find_if_not(parts.rbegin(), parts.rend() - 1, [](const std::string& part) {
-        return !unit_of_word(part).empty() || part == "xyzw" || part == "wxyz" || EulerSequence::parse(part);
-    });
-    return *name;
-}
-
-/// Whether a label is that of rates, deviations, commands and the like.
-bool is_derived(const std::string& label) {
-    return std::ranges::any_of(mapped(parts_of_label(label), lower), [](const std::string& part) {
-        const auto words = words_in(words_of(WordKind::aside_beginning));
-        return is(WordKind::aside_anywhere, part) || std::ranges::any_of(words, [&part](const auto& each) {
-                   return part.starts_with(each) || part.ends_with(each); // rollspeed
-               });
-    });
-}
-
-/// Whether the numbers under a label are never those of the attitude.
-bool is_aside(const std::string& label) { return is(WordKind::aside, name_in(label)) || is_derived(label); }
-
 void refuse_operation(const std::string& label) {
     if (is_operation(label)) {
-        refuse("{} names an operation, which is not carried out", quoted(label));
+        throw wrong("{} names an operation, which is not carried out", quoted(label));
     }
 }
 
@@ -107,7 +66,7 @@ public:
         }
         leave_out_lengths(numbers);
         numbers = by_labels(numbers);
-        for (std::size_t group = own; group != 0 || part_.attitude; group = text_.groups[group].parent) {
+        for (const std::size_t group : with_parents(own)) {
             const std::string& label = text_.groups[group].label;
             refuse_operation(label);
             for (const ValueWord& word : text_.words) {
@@ -120,9 +79,6 @@ public:
                     hold(word, numbers);
                 }
             }
-            if (group == 0) {
-                break;
-            }
         }
         hold_units(numbers);
         return part_.attitude && spec().name == RepresentationId::dcm && numbers.size() == 16 ? of_pose(numbers)
@@ -131,16 +87,15 @@ public:
 
     void check_aside(std::size_t group) const {
         if (part_.attitude && is_left_out(group)) {
-            refuse("the numbers after {} are not those of an attitude", quoted(text_.groups[group].label));
+            throw wrong("the numbers after {} are not those of an attitude", quoted(text_.groups[group].label));
         }
     }
 
-    /// What was chosen although the command line does not say it, in one line.
-    [[nodiscard]] const std::string& note() const { return note_; }
-    [[nodiscard]] bool has_other_label() const { return has_other_label_; }
+    std::string note{};           ///< what was chosen although the command line does not say it, in one line
+    bool has_other_label = false; ///< see Values
 
 private:
-    void add_note(std::string_view text) { note_ += (note_.empty() ? "" : "; ") + std::string(text); }
+    void add_note(std::string_view text) { note += (note.empty() ? "" : "; ") + std::string(text); }
 
     [[nodiscard]] const Spec& spec() const { return *part_.attitude; }
     [[nodiscard]] std::string text_of_part() const { return part_.attitude ? spec().text() : joined(part_.names); }
@@ -153,17 +108,27 @@ private:
     [[nodiscard]] std::vector<std::string> labels_in(std::size_t group) const {
         return labels_of(filtered(text_.numbers, [group](const auto& each) { return each.group == group; }));
     }
-    [[nodiscard]] bool is_left_out(std::size_t group) const {
-        const auto labels = labels_in(group);
-        bool is_out = (group != 0 && is_aside(text_.groups[group].label) && !is_operation(text_.groups[group].label)) ||
-                      std::ranges::all_of(labels, [](const auto& label) {
-                          return !label.empty() && (is_aside(label) || is(WordKind::size, label));
-                      });
+    /// The group and those around it, of which the text as a whole says nothing of a vector.
+    [[nodiscard]] Indices with_parents(std::size_t group) const {
+        Indices groups;
         for (; group != 0; group = text_.groups[group].parent) {
-            const std::string last = lower(parts_of_label(text_.groups[group].label).back());
-            is_out = is_out || last == "header" || last == "stamp";
+            groups.push_back(group);
         }
-        return is_out;
+        if (part_.attitude) {
+            groups.push_back(0);
+        }
+        return groups;
+    }
+    [[nodiscard]] bool is_left_out(std::size_t group) const {
+        const std::string& label = text_.groups[group].label;
+        return (group != 0 && is_aside(label) && !is_operation(label)) ||
+               std::ranges::all_of(labels_in(group),
+                                   [](const std::string& each) {
+                                       return !each.empty() && (is_aside(each) || is(vocabulary::size, each));
+                                   }) ||
+               std::ranges::any_of(with_parents(group), [this](std::size_t each) {
+                   return is(" header stamp ", parts_of_label(text_.groups[each].label).back());
+               });
     }
     [[nodiscard]] bool has_names(std::size_t group) const {
         const auto labels = labels_in(group);
@@ -172,9 +137,6 @@ private:
     [[nodiscard]] bool is_called_by_name(std::size_t group) const {
         const std::string& label = text_.groups[group].label;
         return named_representation(name_in(label)) == spec().name || named_representation(label) == spec().name;
-    }
-    [[nodiscard]] bool is_called_attitude(std::size_t group) const {
-        return is(WordKind::attitude, name_in(text_.groups[group].label));
     }
     [[nodiscard]] bool has_unit(std::size_t group) const {
         const std::string_view unit = spec().unit == AngleUnit::degrees ? "deg" : "rad";
@@ -190,20 +152,24 @@ private:
         const std::size_t first = groups.front();
         std::erase_if(groups, [this](std::size_t group) { return is_left_out(group); });
         if (groups.empty()) {
-            refuse("the numbers after {} are not those of an attitude",
-                   quoted(first == 0 ? text_.numbers.front().label : text_.groups[first].label));
+            throw wrong("the numbers after {} are not those of an attitude",
+                        quoted(first == 0 ? text_.numbers.front().label : text_.groups[first].label));
         }
         for (const std::size_t group : groups) {
             const std::string& label = text_.groups[group].label;
             std::ranges::for_each(labels_in(group), refuse_operation);
             const bool is_of_one =
-                is(WordKind::number_of_a_set, label) || std::ranges::count(part_.names, lower(label)) > 0;
+                is(vocabulary::number_of_a_set, label) || std::ranges::count(part_.names, lower(label)) > 0;
             if (is_of_one && !is_called_by_name(group)) {
-                refuse("{} is the name of one number, and several follow it", quoted(label));
+                throw wrong("{} is the name of one number, and several follow it", quoted(label));
             }
         }
-        for (const auto is_right : {&Reading::has_names, &Reading::is_called_by_name, &Reading::is_called_attitude}) {
-            auto found = filtered(groups, [&](std::size_t group) { return (this->*is_right)(group); });
+        const std::array<std::function<bool(std::size_t)>, 3> ranks{
+            [this](std::size_t group) { return has_names(group); },
+            [this](std::size_t group) { return is_called_by_name(group); },
+            [this](std::size_t group) { return is(vocabulary::attitude, name_in(text_.groups[group].label)); }};
+        for (const auto& is_right : ranks) {
+            auto found = filtered(groups, is_right);
             if (found.size() > 1) { // two may differ in the unit
                 const auto in_unit = filtered(found, [this](std::size_t group) { return has_unit(group); });
                 found = in_unit.size() == 1 ? in_unit : found;
@@ -219,11 +185,11 @@ private:
         const std::string& label = text_.groups[groups[0]].label;
         refuse_operation(label);
         if (label.find('.') != std::string::npos && !named_representation(name_in(label))) {
-            refuse("{} is not understood as the name of an attitude", quoted(label));
+            throw wrong("{} is not understood as the name of an attitude", quoted(label));
         }
         if (!label.empty() && !named_representation(name_in(label)) && conventions_in(label).empty()) {
             add_note(fmt::format("the numbers after {} are read as {}", quoted(label), spec().text()));
-            has_other_label_ = true;
+            has_other_label = true;
         }
         return groups[0];
     }
@@ -234,8 +200,8 @@ private:
         const auto is_unknown = [](const ValueNumber& each) { return each.group == 0 && each.label.empty(); };
         const auto unknown = std::ranges::find_if(text_.numbers, is_unknown);
         if (chosen != 0 && unknown != text_.numbers.end()) {
-            refuse("{} has no label, beside the numbers after {}", quoted(unknown->text),
-                   quoted(text_.groups[chosen].label));
+            throw wrong("{} has no label, beside the numbers after {}", quoted(unknown->text),
+                        quoted(text_.groups[chosen].label));
         }
         if (!groups.empty()) {
             add_note(fmt::format("the numbers after {} are left out", quoted_list(labels_of_groups(groups))));
@@ -248,8 +214,8 @@ private:
     }
     [[noreturn]] void refuse_groups(Indices groups) const {
         groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
-        refuse("more than one set of numbers, with the labels {}: none of them alone is that of {}",
-               quoted_list(labels_of_groups(groups)), text_of_part());
+        throw wrong("more than one set of numbers, with the labels {}: none of them alone is that of {}",
+                    quoted_list(labels_of_groups(groups)), text_of_part());
     }
 
     /// Numbers in a unit of length are a position's.
@@ -259,7 +225,7 @@ private:
         const auto length = std::ranges::find_if(numbers, is_length);
         if (length != numbers.end() &&
             (!std::ranges::all_of(numbers, is_named) || std::ranges::all_of(numbers, is_length))) {
-            refuse("{} has a unit of length", quoted(length->text));
+            throw wrong("{} has a unit of length", quoted(length->text));
         }
         std::erase_if(numbers, is_length);
     }
@@ -280,17 +246,18 @@ private:
         if (given.empty()) {
             return numbers;
         }
-        for (const std::string& label : given) {
-            if (std::ranges::count(given, label) > 1) {
-                refuse("two of the numbers are called {}", quoted(label));
-            }
+        const auto is_twice = [&given](const std::string& label) { return std::ranges::count(given, label) > 1; };
+        if (const auto twice = std::ranges::find_if(given, is_twice); twice != given.end()) {
+            throw wrong("two of the numbers are called {}", quoted(*twice));
         }
         std::optional<KnownNames> known = find_names(part_, labels);
         if (!known && given.size() == labels.size() && part_.attitude) {
             for (std::string& each : labels) { // i j k are x y z
                 each = each == "i" ? "x" : each == "j" ? "y" : each == "k" ? "z" : each;
             }
-            known = spec().name == RepresentationId::quat ? find_names(part_, labels) : components_in(labels);
+            Part of_labels = part_;
+            of_labels.is_labelled = labels.size() == 3;
+            known = find_names(of_labels, labels);
         }
         if (!known) {
             refuse_labels(given, labels.size() - given.size());
@@ -301,7 +268,8 @@ private:
             return numbers;
         }
         if (given.size() < labels.size()) {
-            refuse("{} numbers without a label stand beside those of {}", labels.size() - given.size(), text_of_part());
+            throw wrong("{} numbers without a label stand beside those of {}", labels.size() - given.size(),
+                        text_of_part());
         }
         return in_order(numbers, known->places);
     }
@@ -313,32 +281,10 @@ private:
         });
     }
 
-    /// Bare x y z, or after r, rot and the like: components of a vector along the axes, or angles about them.
-    [[nodiscard]] std::optional<KnownNames> components_in(const std::vector<std::string>& labels) const {
-        using enum RepresentationId;
-        const bool is_vector = spec().name == rotvec || spec().name == cayley || spec().name == mrp;
-        const bool has_axes = is_euler() && spec().project == nullptr && !spec().sequence.proper();
-        auto found =
-            labels.size() == 3 && (is_vector || has_axes) ? find_names({{"x", "y", "z"}, 0, {}}, labels) : std::nullopt;
-        if (!found) {
-            return std::nullopt;
-        }
-        std::string prefix = without_marks(labels[found->places[0]]);
-        prefix.pop_back();
-        if (!prefix.empty() && !is(WordKind::vector_of_angles, prefix)) {
-            return std::nullopt;
-        }
-        const auto places = found->places;
-        for (std::size_t i = 0; has_axes && i < 3; ++i) {
-            found->places[i] = places[static_cast<std::size_t>(spec().sequence.axis(i))];
-        }
-        return found;
-    }
-
     [[noreturn]] void refuse_labels(const std::vector<std::string>& given, std::size_t others) const {
         if (others > 0) {
-            refuse("{} not understood: the other numbers have no label",
-                   quoted_list(given) + (given.size() == 1 ? " is" : " are"));
+            throw wrong("{} not understood: the other numbers have no label",
+                        quoted_list(given) + (given.size() == 1 ? " is" : " are"));
         }
         std::vector<std::string_view> owners;
         for (const std::string_view name : messages::all_names()) {
@@ -349,8 +295,9 @@ private:
                 owners.push_back(name);
             }
         }
-        refuse_for({owners.begin(), owners.end()}, "the labels {} are not those of {}{}", quoted_list(given),
-                   text_of_part(), owners.empty() ? "" : fmt::format(": they are those of {}", joined(owners, ", ")));
+        throw wrong("the labels {} are not those of {}{}", quoted_list(given), text_of_part(),
+                    owners.empty() ? "" : fmt::format(": they are those of {}", joined(owners, ", ")))
+            .of({owners.begin(), owners.end()});
     }
 
     // What words of convention say.
@@ -360,7 +307,7 @@ private:
         const std::string_view unit = unit_of_word(word);
         for (ValueNumber& number : numbers) {
             if (!unit.empty() && !number.unit.empty() && number.unit != unit) {
-                refuse("{} is in {} and in {}", quoted(number.text), number.unit, unit);
+                throw wrong("{} is in {} and in {}", quoted(number.text), number.unit, unit);
             }
             number.unit = unit.empty() ? number.unit : unit;
         }
@@ -368,7 +315,7 @@ private:
             return;
         }
         if (!part_.attitude) {
-            refuse("{} is not understood before {}", quoted(word), text_of_part());
+            throw wrong("{} is not understood before {}", quoted(word), text_of_part());
         }
         const auto* const modifier =
             std::ranges::find_if(all_modifiers, [&word](Modifier each) { return name_of(each) == word; });
@@ -384,17 +331,17 @@ private:
             meant.sequence = *sequence;
         } else if (modifier != all_modifiers.end()) {
             meant.apply(ModifierSet{*modifier});
-        } else if (named && named != spec().name && !is(WordKind::open_name, word)) {
+        } else if (named && named != spec().name && !is(vocabulary::open_name, word)) {
             meant = {.name = *named};
         }
         if (meant.text() != spec().text()) {
-            refuse_for({meant.text()}, "{} is {}, not {}", quoted(word), meant.text(), spec().text());
+            throw wrong("{} is {}, not {}", quoted(word), meant.text(), spec().text()).of({meant.text()});
         }
     }
 
     void hold_order(const std::string& word, Numbers& numbers) {
         if (spec().name != RepresentationId::quat) {
-            refuse("{} is an order of quat, not of {}", quoted(word), spec().text());
+            throw wrong("{} is an order of quat, not of {}", quoted(word), spec().text());
         }
         const bool is_labelled = !numbers.front().label.empty();
         if (is_labelled || spec().scalar_last == (word == "xyzw") || numbers.size() != 4 ||
@@ -402,7 +349,7 @@ private:
             return;
         }
         if (spec().scalar_last || spec().project != nullptr || from_.find("wxyz") != std::string_view::npos) {
-            refuse("{} contradicts {}", quoted(word), from_);
+            throw wrong("{} contradicts {}", quoted(word), from_);
         }
         numbers = in_order(numbers, std::array<std::size_t, 4>{3, 0, 1, 2});
         add_note(fmt::format("{} is applied, as quat:xyzw does", quoted(word)));
@@ -417,9 +364,9 @@ private:
             if (!number.unit.empty() && !(has_angles && number.unit == (is_angle ? own : numbers.back().unit))) {
                 Spec meant = part_.attitude.value_or(Spec());
                 meant.unit = own == "deg" ? AngleUnit::radians : AngleUnit::degrees;
-                const auto specs = has_angles ? std::vector{meant.text()} : std::vector<std::string>();
-                refuse_for(specs, "{} is in {}, but {} {}", quoted(number.text), number.unit, text_of_part(),
-                           has_angles ? fmt::format("is in {}: {}", own, meant.text()) : "has no angles");
+                throw wrong("{} is in {}, but {} {}", quoted(number.text), number.unit, text_of_part(),
+                            has_angles ? fmt::format("is in {}: {}", own, meant.text()) : "has no angles")
+                    .of(has_angles ? std::vector{meant.text()} : std::vector<std::string>());
             }
         }
     }
@@ -436,8 +383,8 @@ private:
         const bool by_rows = has_end({12, 13, 14, 15});
         const bool by_columns = has_end({3, 7, 11, 15});
         if (spec().column_major ? !by_columns : !by_rows && !by_columns) {
-            refuse("16 numbers under {} are a 4x4 with 0 0 0 1 in its last {}: these are not", spec().text(),
-                   spec().column_major ? "column" : "row, or by columns (dcm:col) in its last column");
+            throw wrong("16 numbers under {} are a 4x4 with 0 0 0 1 in its last {}: these are not", spec().text(),
+                        spec().column_major ? "column" : "row, or by columns (dcm:col) in its last column");
         }
         bool shows_rows = true;
         for (std::size_t i = 1; i < numbers.size(); ++i) {
@@ -456,18 +403,20 @@ private:
     const Part& part_;
     std::string_view from_;
     bool is_ordered_ = false; ///< by a word
-    bool has_other_label_ = false;
-    std::string note_;
 };
 
 /// The numbers of a text for the parts of a row.
-Numbers numbers_of(const ValueText& text, const std::vector<Part>& parts, std::string_view from, Values& values,
-                   std::string& note) {
+Numbers numbers_of(const ValueText& text, const std::vector<Part>& parts, std::string_view from, Values& values) {
+    const auto told = [&values](const Reading& reading) {
+        values.has_other_label = reading.has_other_label;
+        if (values.notes.empty() && !reading.note.empty()) {
+            values.notes.push_back({.kind = stream::Note::Kind::order, .text = reading.note});
+        }
+    };
     if (parts.size() == 1 && !text.numbers.empty()) {
         Reading reading(text, parts[0], from);
         auto numbers = reading.chosen();
-        note = reading.note();
-        values.has_other_label = reading.has_other_label();
+        told(reading);
         return numbers;
     }
     const Part& last = parts.back();
@@ -482,7 +431,7 @@ Numbers numbers_of(const ValueText& text, const std::vector<Part>& parts, std::s
         reading.check_aside(begin->group);
         const auto own = reading.held({begin, begin + static_cast<std::ptrdiff_t>(part.names.size())});
         std::ranges::copy(own, begin);
-        note = note.empty() ? reading.note() : note;
+        told(reading);
     }
     return numbers;
 }
@@ -496,12 +445,12 @@ bool is_value(std::string_view word) {
 
 Values values_of(const std::vector<std::string>& words, std::optional<stream::Delimiter> given,
                  const stream::RowNumbers& numbers, std::string_view from, bool are_selected) {
-    std::string text = joined(words, " ");
+    const std::string text = joined(words, " ");
     if (!given || words.size() > 1) {
         given = text.find(',') != std::string::npos ? stream::Delimiter::character(',') : stream::Delimiter::blanks();
     }
-    std::vector<std::string_view> fields;
-    static_cast<void>(given->split(text, fields));
+    Values values{text, *given};
+    const auto fields = values.fields();
     const bool is_row = text.find_first_of("[](){}<>:=;|\"'\r\n") == std::string::npos &&
                         (are_selected || std::ranges::all_of(fields, [](std::string_view field) {
                              return std::ranges::all_of(words_in(field), stream::is_number);
@@ -510,24 +459,20 @@ Values values_of(const std::vector<std::string>& words, std::optional<stream::De
                              ((numbers.attitude->name == RepresentationId::dcm && fields.size() == 16) ||
                               pose_columns(*numbers.attitude, fields.size()).are_known);
     if (is_row && (are_selected || !may_be_pose)) {
-        return {std::move(text), *given, {}};
+        return values;
     }
     const ValueText read = parse_values(text);
     const bool by_place = are_selected || !numbers.attitude; // identify reads numbers as they stand
     if (by_place && !read.words.empty()) {
-        refuse("{} is not understood beside numbers that are read as they stand", quoted(read.words[0].text));
+        throw wrong("{} is not understood beside numbers that are read as they stand", quoted(read.words[0].text));
     }
-    std::string note;
-    Values values{.delimiter = *given};
-    const Numbers chosen = by_place ? read.numbers : numbers_of(read, parts_of(numbers), from, values, note);
+    const Numbers chosen = by_place ? read.numbers : numbers_of(read, parts_of(numbers), from, values);
     const bool has_commas = std::ranges::any_of(chosen, &ValueNumber::after_comma); // blanks do not separate as they do
+    values.row.clear();
     for (const ValueNumber& number : chosen) {
         values.row +=
             &number == chosen.data() ? "" : std::string(1, number.is_joined && has_commas ? ' ' : given->text());
         values.row += number.text;
-    }
-    if (!note.empty()) {
-        values.notes.push_back({.kind = stream::Note::Kind::order, .text = std::move(note)});
     }
     return values;
 }
@@ -536,8 +481,7 @@ std::optional<Values> attitude_in(const std::string& text, const stream::RowNumb
                                   bool& means_other) {
     try {
         Values values = values_of({text}, std::nullopt, numbers, from, false);
-        std::vector<std::string_view> fields;
-        static_cast<void>(values.delimiter.split(values.row, fields));
+        const auto fields = values.fields();
         const bool is_one = fields.size() == numbers.names.size() && std::ranges::all_of(fields, stream::is_number);
         return is_one ? std::optional(std::move(values)) : std::nullopt;
     } catch (const Usage& error) {

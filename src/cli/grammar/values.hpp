@@ -24,6 +24,12 @@ struct Values {
     stream::Delimiter delimiter = stream::Delimiter::blanks();
     std::vector<stream::Note> notes{}; ///< what was chosen although the command line does not say it
     bool has_other_label = false;      ///< the numbers are called something that says nothing of them
+
+    [[nodiscard]] std::vector<std::string_view> fields() const {
+        std::vector<std::string_view> parts;
+        static_cast<void>(delimiter.split(row, parts));
+        return parts;
+    }
 };
 
 /// Reads VALUEs by the grammar of value_text.hpp: chooses the numbers of the attitude among others, and orders them by

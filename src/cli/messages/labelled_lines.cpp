@@ -333,7 +333,7 @@ std::vector<LabelledLines> named_lines(const std::vector<std::string_view>& line
         const std::string sed = fmt::format("sed -n -E 's/^[- ]*({}) *[:=] *//p'", joined(names, "|"));
         LabelledLines made{sed, paste, rows_of_names(texts, names, is_cut), {}, false, list_of_columns(known->places)};
         const std::string above = at > 0 && texts[at - 1].text.empty() ? texts[at - 1].name : "";
-        const bool is_aside = lower(above) == "header" || lower(above) == "stamp" || is(WordKind::aside, above);
+        const bool is_aside = lower(above) == "header" || lower(above) == "stamp" || is(vocabulary::aside, above);
         if (made.text.empty() && !above.empty()) { // others have these names too
             std::vector<NamedText> found;
             for (std::size_t i = 0; i < texts.size(); ++i) {

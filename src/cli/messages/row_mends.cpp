@@ -603,7 +603,7 @@ private:
         const auto is_telling = [&](const std::string& word) {
             numbers += stream::is_number(word) ? 1 : 0;
             const std::string own = lower(word);
-            return is_operation(word) || is(WordKind::aside, own) || own.starts_with("cov") ||
+            return is_operation(word) || is(vocabulary::aside, own) || own.starts_with("cov") ||
                    own.find("inv") != std::string::npos || own.find("major") != std::string::npos ||
                    (own.size() > 1 && !stream::is_number(word) && messages::is_verb(own));
         };
