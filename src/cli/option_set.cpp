@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <utility>
+
+#include <CLI/CLI.hpp>
 
 #include "../core/projects.hpp"
 #include "../stream/bytes/file.hpp"
@@ -12,6 +15,32 @@
 
 namespace rotconv::cli {
 namespace {
+
+/// Prints the part of CLI11's help that lists the options. Those that another help describes alike are only named.
+class Formatter : public CLI::Formatter {
+public:
+    Formatter(const OptionSet& own, const OptionSet* other) : own_(&own), other_(other) {}
+
+    std::string make_usage(const CLI::App* /*app*/, std::string /*name*/) const override { return {}; }
+    std::string make_group(std::string group, bool is_positional,
+                           std::vector<const CLI::Option*> options) const override {
+        std::string shared;
+        std::erase_if(options, [&](const CLI::Option* option) {
+            const std::string name = option->get_name();
+            const Option* const own = own_->find(name);
+            const Option* const other = other_ == nullptr || name == "--help" ? nullptr : other_->find(name);
+            const bool is_shared = other != nullptr && other->argument == own->argument && other->about == own->about;
+            shared += is_shared ? " " + name : "";
+            return is_shared;
+        });
+        return CLI::Formatter::make_group(std::move(group), is_positional, std::move(options)) +
+               (shared.empty() ? "" : fmt::format("  shared:{}\n", shared));
+    }
+
+private:
+    const OptionSet* own_;
+    const OptionSet* other_;
+};
 
 /// Such as -90deg and -pi/2, which are not options, nor are dashes before a blank or line end: "---\nx: 0".
 bool resembles_number(std::string_view word) {
@@ -77,33 +106,29 @@ Edit OptionSet::changing(const Option& option, const std::string& argument) {
 }
 
 std::string OptionSet::help(const OptionSet* other) const {
-    const auto line = [](const std::string& names, std::string_view about) {
-        return fmt::format("  {:<28}{}\n", names, about);
-    };
-    std::string text = takes_names() ? "\nPositionals:\n" + line("NAME ...", names_) : "";
-    std::vector<std::string_view> groups; // in the order of their first options
+    CLI::App app; // it only prints: to define all options takes it as long as the rest of a start
+    app.set_help_flag();
+    app.formatter(std::make_shared<Formatter>(*this, other));
+    std::string unused;
     for (const Option* option : options_) {
-        if (std::ranges::count(groups, option->group) == 0) {
-            groups.push_back(option->group);
+        app.option_defaults()->group(std::string(option->group));
+        const std::string names(option->names);
+        const std::string about(option->about);
+        if (option->takes_argument()) {
+            app.add_option(names, unused, about)->type_name(std::string(option->argument));
+        } else {
+            app.add_flag(names, about);
         }
     }
-    for (const std::string_view group : groups) {
-        text += fmt::format("\n{}:\n", group);
-        std::string shared;
-        for (const Option* option : filtered(options_, [group](const Option* each) { return each->group == group; })) {
-            const Option* const same = other == nullptr ? nullptr : other->find(option->name());
-            if (same != nullptr && option->name() != "--help" && same->argument == option->argument &&
-                same->about == option->about) {
-                shared += fmt::format(" {}", option->name());
-            } else {
-                text +=
-                    line(fmt::format("{}{}{}", option->names, option->takes_argument() ? " " : "", option->argument),
-                         option->about);
-            }
-        }
-        text += shared.empty() ? "" : fmt::format("  shared:{}\n", shared);
+    if (takes_names()) {
+        app.add_option("NAME", unused, std::string(names_))->type_name("")->expected(1, -1);
     }
-    return text;
+    std::string help = app.help();
+    for (auto at = help.find("\n\n\n"); at != std::string::npos; at = help.find("\n\n\n")) {
+        help.erase(at, 1); // CLI11 ends a group with two
+    }
+    help.erase(help.find_last_not_of('\n') + 2);
+    return help;
 }
 
 std::size_t OptionSet::read(const std::vector<std::string>& all_words, std::size_t first,

@@ -87,7 +87,7 @@ done
 holds "$work/rotconv/usr" $both $(printf '%s.gz\n' $pages) share/zsh/vendor-completions/_rotconv
 # shellcheck disable=SC2086 # a list
 holds "$work/librotconv-dev/usr" $library
-for part in Eigen fmt Dragonbox FastFloat; do
+for part in Eigen fmt Dragonbox FastFloat CLI11; do
     grep -qw "$part" "$work/rotconv/usr/share/doc/rotconv/copyright" || fail "the copyright has no $part"
 done
 dpkg-deb -f "$work"/librotconv-dev_*.deb Depends | grep -q libeigen3-dev || fail "librotconv-dev needs no Eigen"

@@ -14,7 +14,7 @@ fail() {
 }
 
 without_packages=
-for package in dragonbox FastFloat fmt Threads Catch2 benchmark; do
+for package in CLI11 dragonbox FastFloat fmt Threads Catch2 benchmark; do
     without_packages="$without_packages -DCMAKE_DISABLE_FIND_PACKAGE_$package=ON"
 done
 configure() {
