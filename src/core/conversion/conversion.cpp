@@ -164,7 +164,6 @@ void Conversion::run(std::span<const double> in, std::span<double> out, std::vec
         } else {
             convert(batch, input.own(), rows, input.attitudes, written,
                     rest.empty() ? nullptr : &rest[first * width * rest_size], diagnostics.data());
-            std::for_each_n(written, rows * width, [](double& number) { number += 0.0; }); // -0 becomes 0
         }
         if (!any_remarkable(input, diagnostics.data(), rows, InputBatch::largest_unreported(settings_))) {
             return;

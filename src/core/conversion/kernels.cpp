@@ -89,10 +89,10 @@ void settle_all(const CarefulTask& task, const double* in, std::size_t rows, con
     }
 }
 
-/// 106 bits do not tell that a number has no rest: -0 becomes 0.
-void forget_zeros(double* rest, std::size_t count) noexcept {
-    for (std::size_t k = 0; k < count && rest != nullptr; ++k) {
-        rest[k] += 0.0;
+/// -0 becomes 0. Of a rest, which may be null, 106 bits do not tell that there is nothing.
+void forget_negative_zeros(double* numbers, std::size_t count) noexcept {
+    for (std::size_t k = 0; k < count && numbers != nullptr; ++k) {
+        numbers[k] += 0.0;
     }
 }
 
@@ -104,7 +104,7 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
     std::uint64_t doubts[batch_rows] = {};
     bool open[batch_rows] = {};
     convert_plainly(batch, in, rows, attitudes, out, rest, diagnostics, doubts);
-    forget_zeros(rest, rows * batch.to->size());
+    forget_negative_zeros(rest, rows * batch.to->size());
     round(attitudes, rows, rounded);
     if constexpr (!std::is_same_v<T, double>) {
         settle_all(task, in, rows, diagnostics, doubts, rounded, out, rest, open);
@@ -120,11 +120,19 @@ template <class T> void convert(const ConversionBatch& batch, const double* in, 
                                               rest == nullptr ? nullptr : rest + i * size, i, rounded);
         }
     }
+    forget_negative_zeros(out, rows * size);
 }
 
 /// Converts to 106 bits, together, the rows that are open and have no error.
 void convert_open(const ConversionBatch& batch, const double* in, std::size_t rows, const bool* open,
                   AttitudeBatch<double>& rounded, double* out, DiagnosticSet* diagnostics) noexcept {
+    bool are_open = false;
+    for (std::size_t i = 0; i < rows; ++i) {
+        are_open |= open[i];
+    }
+    if (!are_open) {
+        return;
+    }
     const std::size_t from_size = batch.from->size();
     const std::size_t to_size = batch.to->size();
     std::size_t count = 0;
@@ -138,9 +146,6 @@ void convert_open(const ConversionBatch& batch, const double* in, std::size_t ro
             places[count++] = i;
         }
     }
-    if (count == 0) {
-        return;
-    }
     double results[most_numbers * batch_rows];
     AttitudeBatch<double> attitudes;
     DiagnosticSet found[batch_rows];
@@ -151,6 +156,8 @@ void convert_open(const ConversionBatch& batch, const double* in, std::size_t ro
             out[i * to_size + k] = results[n * to_size + k];
         }
         rounded.set(i, {attitudes[0][n], attitudes[1][n], attitudes[2][n], attitudes[3][n]});
+        rounded.defect[i] = attitudes.defect[n];
+        rounded.error[i] = attitudes.error[n];
         diagnostics[i] = found[n];
     }
 }
@@ -166,18 +173,22 @@ bool convert_first(const ConversionBatch& batch, const double* in, std::size_t r
     const auto read_first = kernel_of(from.name).read_first;
     if (to.name == RepresentationId::quat && read_first != nullptr && !batch.fixed->has_left &&
         !batch.fixed->has_right) {
-        read_first(from, in, rows, rounded, doubts);
+        if (!read_first(from, in, rows, rounded, doubts)) {
+            return false;
+        }
         invert_if(task.inverts_first, rounded, rows);
         for (std::size_t i = 0; i < rows; ++i) {
             double q[4];
             rounded.get(i, q);
             const double sign = canonical_sign(q);
             for (std::size_t k = 0; k < 4; ++k) {
-                out[4 * i + k] = sign * q[k];
+                out[4 * i + k] = sign * q[k] + 0.0;
             }
         }
         settle_all(task, in, rows, unlocked, doubts, rounded, out, nullptr, open);
-        for_each_careful_row(from, in, rounded, rows, set_open);
+        if (!kernel_of(from.name).first_takes_any_size) {
+            for_each_careful_row(from, in, rounded, rows, set_open);
+        }
         return true;
     }
     const auto write_first = kernel_of(to.name).write_first;
@@ -189,7 +200,9 @@ bool convert_first(const ConversionBatch& batch, const double* in, std::size_t r
     write_first(to, batch.lock_margin, attitudes, rows, out, doubts);
     round(attitudes, rows, rounded);
     settle_all(task, in, rows, unlocked, doubts, rounded, out, nullptr, open);
-    for_each_careful_row(from, in, attitudes, rows, set_open);
+    if (!kernel_of(to.name).first_takes_any_size || !kernel_of(from.name).reading_is_exact) {
+        for_each_careful_row(from, in, attitudes, rows, set_open);
+    }
     return true;
 }
 
@@ -228,6 +241,7 @@ void convert_with_rest(const ConversionBatch& batch, const double* in, std::size
         answer_with_rest(task, {in + i * batch.from->size(), nullptr}, out + i * size,
                          rest + i * size * batch.rest_size, batch.rest_size, i, rounded, diagnostics[i]);
     }
+    forget_negative_zeros(out, rows * size);
 }
 
 /// The rows that the first phase leaves open, together.
@@ -357,7 +371,7 @@ void multiply(const ProductBatch& batch, const double* first, const double* seco
     std::uint64_t doubts[batch_rows] = {};
     kernel_of(to.name).exact.write(to, batch.lock_margin, product, rows, out, batch.rest_size > 1 ? nullptr : rest,
                                    diagnostics, doubts);
-    forget_zeros(rest, batch.rest_size > 1 ? 0 : rows * to.size());
+    forget_negative_zeros(rest, batch.rest_size > 1 ? 0 : rows * to.size());
     const auto set_open = [&](std::size_t i) { doubts[i] = other_doubt; };
     for_each_careful_row(*batch.first, first, product, rows, set_open);
     for_each_careful_row(*batch.second, second, product, rows, set_open);

@@ -77,9 +77,10 @@ struct ProductBatch {
 /// the representation's own order. Diagnostics are what there is to report of each row; the sets are empty at first.
 struct KernelTable {
     const char* target; ///< that kind of processor, for people
-    /// From one representation to the other, each number rounded once. `attitudes` become those that are written,
-    /// rounded, with the defects and errors of the rows. `rest`, which may be null: what the exact numbers have beside
-    /// those written, as sums of `rest_size` doubles each; -0.0 alone where it is known that there is nothing.
+    /// From one representation to the other, each number rounded once, none -0. `attitudes` become those that are
+    /// written, rounded, with the defects and errors of the rows. `rest`, which may be null: what the exact numbers
+    /// have beside those written, as sums of `rest_size` doubles each; -0.0 alone where it is known that there is
+    /// nothing.
     using Convert = void(const ConversionBatch& batch, const double* in, std::size_t rows,
                          AttitudeBatch<double>& attitudes, double* out, double* rest,
                          DiagnosticSet* diagnostics) noexcept;

@@ -469,7 +469,7 @@ inline bool settle(const CarefulTask& general, const CarefulRow& row, Diagnostic
     if (task.to != nullptr && task.to->name == RepresentationId::quat) {
         const double sign = canonical_sign<double>({numbers[0], numbers[1], numbers[2], numbers[3]});
         for (std::size_t k = 0; k < 4; ++k) {
-            numbers[k] *= sign;
+            numbers[k] = sign * numbers[k] + 0.0;
         }
     }
     return true;

@@ -60,6 +60,57 @@ ROTCONV_INLINE Approximate normalized(Approximate a) noexcept {
     const DoubleDouble sum = fast_two_sum(a.hi, a.lo);
     return {sum.hi, sum.lo};
 }
+
+/// A sum hi + lo for formulas in which nothing is large. Products, below 8, have a high part that is a multiple of
+/// 2^-48, so that sums of them, below 32, add the high parts without a rounding. Factors may be any numbers.
+struct Fixed {
+    double hi = 0.0;
+    double lo = 0.0;
+
+    ROTCONV_INLINE constexpr Fixed() noexcept = default;
+    ROTCONV_INLINE constexpr Fixed(double value) noexcept : hi(value) {}
+    ROTCONV_INLINE constexpr Fixed(double high, double low) noexcept : hi(high), lo(low) {}
+};
+
+ROTCONV_INLINE Fixed operator-(Fixed a) noexcept { return {-a.hi, -a.lo}; }
+ROTCONV_INLINE Fixed operator+(Fixed a, Fixed b) noexcept { return {a.hi + b.hi, a.lo + b.lo}; }
+ROTCONV_INLINE Fixed operator-(Fixed a, Fixed b) noexcept { return {a.hi - b.hi, a.lo - b.lo}; }
+ROTCONV_INLINE Fixed sloppy_sum(Fixed a, Fixed b) noexcept { return a + b; }
+/// The multiple of 2^-48 next to a b.
+ROTCONV_INLINE double fixed_part(double a, double b) noexcept {
+    constexpr double last_place = 0x1.8p4; // a number whose last place is 2^-48
+    return __builtin_fma(a, b, last_place) - last_place;
+}
+ROTCONV_INLINE Fixed operator*(Fixed a, double b) noexcept {
+    const double high = fixed_part(a.hi, b);
+    return {high, __builtin_fma(a.lo, b, __builtin_fma(a.hi, b, -high))};
+}
+ROTCONV_INLINE Fixed operator*(Fixed a, Fixed b) noexcept {
+    const double high = fixed_part(a.hi, b.hi);
+    return {high, __builtin_fma(a.hi, b.lo, __builtin_fma(a.lo, b.hi, __builtin_fma(a.hi, b.hi, -high)))};
+}
+ROTCONV_INLINE Fixed square(Fixed a) noexcept { return a * a; }
+ROTCONV_INLINE Fixed scaled(Fixed a, double power_of_two) noexcept {
+    return {a.hi * power_of_two, a.lo * power_of_two};
+}
+ROTCONV_INLINE Fixed select(bool condition, Fixed yes, Fixed no) noexcept {
+    return {condition ? yes.hi : no.hi, condition ? yes.lo : no.lo};
+}
+ROTCONV_INLINE double to_double(Fixed a) noexcept { return a.hi; }
+/// Each number over the divisor. The quotients are not for sums.
+template <std::size_t N> ROTCONV_INLINE void divide(Fixed (&numbers)[N], const Fixed& divisor) noexcept {
+    const DoubleDouble whole = fast_two_sum(divisor.hi, divisor.lo);
+    const double inverse = 1.0 / whole.hi;
+    const double rest = inverse * __builtin_fma(-whole.lo, inverse, __builtin_fma(-whole.hi, inverse, 1.0));
+    for (std::size_t k = 0; k < N; ++k) {
+        const double high = numbers[k].hi;
+        const double quotient = high * inverse;
+        numbers[k].lo =
+            __builtin_fma(numbers[k].lo, inverse, __builtin_fma(high, rest, __builtin_fma(high, inverse, -quotient)));
+        numbers[k].hi = quotient;
+    }
+}
+
 /// Whether all numbers within `error` of one round to the same double.
 ROTCONV_INLINE bool rounds_alike(DoubleDouble a, double error) noexcept {
     return a.hi + (a.lo + error) == a.hi + (a.lo - error);

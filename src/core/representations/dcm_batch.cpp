@@ -215,6 +215,7 @@ struct Matrix : WrittenByFormula<Matrix, 9> {
     ROTCONV_INLINE static ErrorBound error_of(const double (&/*q*/)[4], double off) noexcept {
         return error_of_entries(off);
     }
+    ROTCONV_INLINE static double first_error_of(double off) noexcept { return first_error_of_entries(off); }
     template <class T> ROTCONV_INLINE static void numbers_of(const T (&q)[4], T (&numbers)[9]) noexcept {
         scaled_matrix_of(q, numbers);
         divide_entries(numbers, squared_norm(q));
@@ -301,11 +302,48 @@ struct Matrix : WrittenByFormula<Matrix, 9> {
             }
         }
     }
+
+    /// Matrices of fewer than 12 digits are left open; a batch of nothing else is not worth the rest.
+    static bool read_first(const Spec& /*spec*/, const double* numbers, std::size_t rows,
+                           AttitudeBatch<double>& attitudes, std::uint64_t* doubts) noexcept {
+        Columns<double, 9> columns;
+        FirstNumbers<4> first;
+        to_columns(numbers, rows, columns);
+        for (std::size_t i = 0; i < rows; ++i) {
+            double m[9];
+            columns.get(i, m);
+            first.off[i] = first_error_of_quaternion(squared_distance(m));
+            attitudes.defect[i] = clean_defect;
+        }
+        if (all(first.off, rows, [](double off) { return !(off < FirstNumbers<4>::largest_off); })) {
+            return false;
+        }
+        for (std::size_t i = 0; i < rows; ++i) {
+            double m[9];
+            Fixed q[4];
+            columns.get(i, m);
+            unit_quaternion_of(m, q);
+            first.set(i, q, attitudes);
+        }
+        for (std::size_t i = 0; i < rows; ++i) {
+            attitudes.error[i] = Error::none;
+        }
+        first.find_doubts(attitudes, rows, doubts);
+        return true;
+    }
 };
 
 } // namespace
 
-constinit const Kernel kernels::dcm = kernel_of_formula<Matrix>;
+constinit const Kernel kernels::dcm = []() noexcept {
+    Kernel kernel = kernel_of_formula<Matrix>;
+    if (ROTCONV_HAS_FMA != 0) { // elsewhere they gain nothing
+        kernel.read_first = Matrix::read_first;
+        kernel.write_first = Matrix::write_first;
+        kernel.first_takes_any_size = true; // what is lost below 2^-960 is nothing beside them
+    }
+    return kernel;
+}();
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

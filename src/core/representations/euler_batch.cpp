@@ -115,10 +115,11 @@ struct Angles {
         }
     }
 
-    static void read_first(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<double>& attitudes,
+    static bool read_first(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<double>& attitudes,
                            std::uint64_t* doubts) noexcept {
         spec.sequence.proper() ? read_first_of<AxesOfKind<true>>(spec, numbers, rows, attitudes, doubts)
                                : read_first_of<AxesOfKind<false>>(spec, numbers, rows, attitudes, doubts);
+        return true;
     }
 
     /// `half_angle(i)`: the sine and cosine of half of the number i.

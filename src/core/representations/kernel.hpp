@@ -80,8 +80,9 @@ struct Kernel {
     CarefulKernel careful;
     // First phases of plain rows, to about 2^-66, or null. They leave some numbers in doubt, see doubt_of(). What they
     // make of the others is what the exact kernels make of them, with nothing to report.
-    /// BatchKernel::read() to a quaternion that is unit: each component as it is printed, except for its sign.
-    void (*read_first)(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<double>& attitudes,
+    /// BatchKernel::read() to a quaternion that is unit: each component as it is printed, except for its sign. False
+    /// where it proves nothing of any row.
+    bool (*read_first)(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<double>& attitudes,
                        std::uint64_t* doubts) noexcept = nullptr;
     /// BatchKernel::write().
     void (*write_first)(const Spec& spec, double lock_margin, const AttitudeBatch<DoubleDouble>& attitudes,
@@ -90,7 +91,8 @@ struct Kernel {
     /// squares of a normal in 5d), or of one that is stated beside another limit, stay above 2^-960 down to 2^-150. But
     /// sums that cancel keep more digits in Careful.
     double least_plain_number = 0x1p-112;
-    bool reading_is_exact = false; ///< numbers of any size, but for a power of two
+    bool reading_is_exact = false;     ///< numbers of any size, but for a power of two
+    bool first_takes_any_size = false; ///< the bounds of its first phases hold for what is not plain, too
 };
 
 #define ROTCONV_LINE(id) extern const Kernel id;
@@ -122,6 +124,45 @@ constexpr Kernel kernel_of_formula{.size = Formula::size,
                                    .exact = {.read = Formula::read, .write = Formula::write},
                                    .one = {.read = Formula::read_one, .write = Formula::write_one},
                                    .careful = {.read = Formula::read_carefully, .write = Formula::write_one}};
+
+/// Numbers of rows in a first phase, and which of them do not round clearly.
+template <std::size_t size> struct FirstNumbers {
+    static constexpr double largest_off = 0x1p-68; ///< from there on rows are left open: what may be 0 is below 2^-66
+
+    double off[batch_rows];         ///< a bound on the errors of a row's numbers
+    std::uint64_t open[batch_rows]; ///< how many do not round clearly
+
+    /// Numbers of the row i, of which `off` is known, rounded.
+    ROTCONV_INLINE void set(std::size_t i, const Fixed (&numbers)[size], Columns<double, size>& rounded) noexcept {
+        const double error = off[i] < largest_off ? off[i] : __builtin_nan("");
+        std::uint64_t count = 0;
+        for (std::size_t k = 0; k < size; ++k) {
+            const double above = numbers[k].hi + (numbers[k].lo + error);
+            const double below = numbers[k].hi + (numbers[k].lo - error);
+            count += above == below ? 0U : 1U; // of nan, too
+            rounded[k].set(i, above);
+        }
+        off[i] = error;
+        open[i] = count;
+    }
+
+    /// The doubts of doubt_of(), other_doubt where one is not about a 0.
+    void find_doubts(const Columns<double, size>& rounded, std::size_t rows, std::uint64_t* doubts) const noexcept {
+        std::uint64_t all_open = 0;
+        for (std::size_t i = 0; i < rows; ++i) {
+            all_open |= open[i];
+        }
+        for (std::size_t i = 0; i < rows && all_open != 0; ++i) {
+            std::uint64_t others = open[i];
+            for (std::size_t k = 0; k < size && open[i] != 0; ++k) {
+                const bool is_near_0 = __builtin_fabs(rounded[k][i]) <= 2.0 * off[i];
+                doubts[i] |= is_near_0 ? std::uint64_t{1} << k : 0U;
+                others -= is_near_0 ? 1U : 0U;
+            }
+            doubts[i] |= others == 0 ? 0U : other_doubt;
+        }
+    }
+};
 
 /// Those that write, of a class Formula with
 ///     numbers_of(const T (&q)[4], T (&numbers)[size])
@@ -162,6 +203,25 @@ template <class Formula, std::size_t count> struct WrittenByFormula {
             attitudes.get(i, q);
             diagnostics[i] = Formula::complete(q, numbers + size * i);
         }
+    }
+    /// Kernel::write_first, of a Formula that has also
+    ///     first_error_of(double off)   a bound on the errors of its numbers_of() in Fixed
+    static void write_first(const Spec& /*spec*/, double /*lock_margin*/, const AttitudeBatch<DoubleDouble>& attitudes,
+                            std::size_t rows, double* numbers, std::uint64_t* doubts) noexcept {
+        Columns<double, size> columns;
+        FirstNumbers<size> first;
+        for (std::size_t i = 0; i < rows; ++i) {
+            Fixed q[4];
+            Fixed result[size];
+            for (std::size_t k = 0; k < 4; ++k) {
+                q[k] = {attitudes[k].hi[i], attitudes[k].lo[i]};
+            }
+            Formula::numbers_of(q, result);
+            first.off[i] = Formula::first_error_of(attitudes.off[i]);
+            first.set(i, result, columns);
+        }
+        to_rows(columns, rows, numbers);
+        first.find_doubts(columns, rows, doubts);
     }
     template <class T>
     static DiagnosticSet write_one(const Spec& /*spec*/, double /*lock_margin*/, const T (&q)[4], T* numbers) noexcept {
