@@ -76,17 +76,21 @@ ROTCONV_INLINE void rotate_vector(const T (&q)[4], const Given<T> (&vector)[3], 
     divide(rotated, squared_norm(q));
 }
 
+/// A part of a whole, each a sum of three doubles.
+template <class T> ROTCONV_INLINE T part_of_way(const double* fractions) noexcept {
+    const auto sum_of = [](const double* parts) { return (T(parts[0]) + T(parts[1])) + T(parts[2]); };
+    return sum_of(fractions) / sum_of(fractions + 3);
+}
 /// p becomes the attitude on the shortest turn from p to q, neither of a given length, at that part of the way: p times
 /// the part of the rotation p' q. In unit quaternions it moves by no more than p and q together.
-/// @param fractions that part and the whole, each a sum of three doubles
+/// @param fractions see part_of_way()
 template <class T> ROTCONV_INLINE void interpolate(const double* fractions, const T (&q)[4], T (&p)[4]) noexcept {
-    const auto sum_of = [](const double* parts) { return (T(parts[0]) + T(parts[1])) + T(parts[2]); };
     T turn[4] = {q[0], q[1], q[2], q[3]};
     make_relative(p, turn);
     const double sign = sign_of(turn[0]) < 0.0 ? -1.0 : 1.0;
     const T length = root(sum_of_squares(turn[1], turn[2], turn[3]));
     const T half = angle_of(scaled(turn[0], sign), length, AngleUnit::radians);
-    const SineCosine<T> part = sine_cosine_of(sum_of(fractions) / sum_of(fractions + 3) * half);
+    const SineCosine<T> part = sine_cosine_of(part_of_way<T>(fractions) * half);
     const T factor = scaled(ratio_below_1(part.sine, length), sign);
     multiply_from_side({part.cosine, turn[1] * factor, turn[2] * factor, turn[3] * factor}, false, p);
 }

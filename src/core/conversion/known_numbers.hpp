@@ -285,8 +285,8 @@ struct AngleSum {
 
     static constexpr unsigned most_angles = 15; ///< 2 of each, and so much of a code
     static constexpr unsigned base = 2 * most_angles;
-    template <class T> [[nodiscard]] T of(const double* angles) const noexcept {
-        const auto angle = [&](unsigned which) { return T(which % 2 == 0 ? angles[which / 2] : -angles[which / 2]); };
+    [[nodiscard]] Careful of(const Careful* angles) const noexcept {
+        const auto angle = [&](unsigned which) { return which % 2 == 0 ? angles[which / 2] : -angles[which / 2]; };
         const unsigned first = (code - 1) % base;
         const unsigned second = (code - 1) / base % base;
         return first == second ? angle(first) : angle(first) + angle(second);
@@ -297,9 +297,9 @@ struct AngleSum {
     }
 };
 
-/// The angles of a row and of the fixed rotations; how many there are.
+/// The angles of a row, or between two of its attitudes, and of the fixed rotations; how many there are.
 inline unsigned angles_in_degrees(const CarefulTask& task, const CarefulRow& row,
-                                  double (&angles)[AngleSum::most_angles]) noexcept {
+                                  Careful (&angles)[AngleSum::most_angles]) noexcept {
     unsigned count = 0;
     const auto add = [&](const Spec* spec, const double* numbers) {
         for (std::size_t k = 0; spec != nullptr && k < spec->size() && count < AngleSum::most_angles; ++k) {
@@ -309,7 +309,14 @@ inline unsigned angles_in_degrees(const CarefulTask& task, const CarefulRow& row
         }
     };
     add(task.first, row.first);
-    add(task.second, row.second);
+    for (std::size_t k = 0; row.later != nullptr && k < task.second->size(); ++k) {
+        if (is_angle_in_degrees(task.second, row.second, k) && is_angle_in_degrees(task.second, row.later, k)) {
+            const double turns = __builtin_floor((row.later[k] - row.second[k]) / 360.0 + 0.5);
+            const Careful way = Careful(row.later[k]) - Careful(row.second[k]) - Careful(360.0 * turns);
+            angles[count++] = Careful(row.second[k]) + part_of_way<Careful>(row.fractions) * way;
+        }
+    }
+    add(row.later == nullptr ? task.second : nullptr, row.second);
     const FixedRotations& fixed = *task.fixed;
     for (std::size_t k = 0; k < (fixed.has_left ? fixed.left_count : 0); ++k) {
         add(&fixed.left_factors[k].spec, fixed.left_factors[k].numbers);
@@ -321,16 +328,17 @@ inline unsigned angles_in_degrees(const CarefulTask& task, const CarefulRow& row
 }
 
 /// The sum that the number k is, in all rows of the row's pattern, to whole half-turns and its sign.
-ROTCONV_NOINLINE inline AngleSum find_sum(const CarefulTask& task, const CarefulRow& row, unsigned k) noexcept {
-    return with_stand_ins(task, row, 90.0, [&](const CarefulRow& other) {
+ROTCONV_NOINLINE inline AngleSum find_sum(const CarefulTask& task, const CarefulRow& row, unsigned k,
+                                          double step) noexcept {
+    return with_stand_ins(task, row, step, [&](const CarefulRow& other) {
         Careful results[most_numbers];
-        double angles[AngleSum::most_angles];
+        Careful angles[AngleSum::most_angles];
         zeros_of_stand_ins(task, other, results);
         const unsigned count = 2 * angles_in_degrees(task, other, angles);
         for (unsigned a = 0; a < count; ++a) {
             for (unsigned b = a; b < count; ++b) {
                 const AngleSum sum{1 + a + AngleSum::base * b};
-                const Careful rest = results[k] - sum.of<Careful>(angles);
+                const Careful rest = results[k] - sum.of(angles);
                 const double fifteens = __builtin_floor(rest.rounded() / 15.0 + 0.5);
                 if (__builtin_fabs(fifteens) < 0x1p28 && (rest - Careful(15.0 * fifteens)).is_below(least)) {
                     const auto whole = static_cast<unsigned>((static_cast<int>(fifteens) % 12 + 12) % 12);
@@ -346,25 +354,32 @@ ROTCONV_NOINLINE inline AngleSum find_sum(const CarefulTask& task, const Careful
 /// may be two.
 inline bool round_sum(const CarefulTask& task, const CarefulRow& row, unsigned k, double& number, double* rest,
                       std::size_t rest_size) noexcept {
-    double angles[AngleSum::most_angles];
-    if (task.zeros == nullptr || row.later != nullptr || task.to == nullptr || task.to->unit != AngleUnit::degrees ||
-        angles_in_degrees(task, row, angles) == 0 || __builtin_fabs(number) < 1e-6) {
+    if (task.zeros == nullptr || task.to == nullptr || task.to->unit != AngleUnit::degrees ||
+        __builtin_fabs(number) < 1e-6) {
+        return false;
+    }
+    const Wide::Bits enough(1280);
+    Careful angles[AngleSum::most_angles];
+    if (angles_in_degrees(task, row, angles) == 0) {
         return false;
     }
     bool all_known = false;
-    const std::uint64_t pattern = zero_pattern(task, row, 90.0, all_known) << 2U | k;
+    const double step = row.later == nullptr ? 90.0 : 0.0;
+    const std::uint64_t pattern = zero_pattern(task, row, step, all_known) << 2U | k;
+    if (pattern >> 49U != 0) { // the table has no room for it
+        return false;
+    }
     std::uint64_t* const entry = task.zeros->sums + ((pattern * 0x9e3779b97f4a7c15U) >> 32U) % ZeroTable::size;
     std::uint64_t found = __atomic_load_n(entry, __ATOMIC_RELAXED);
     if ((found & 1U) == 0 || found >> 15U != pattern) {
-        found = pattern << 15U | static_cast<std::uint64_t>(find_sum(task, row, k).code) << 1U | 1U;
+        found = pattern << 15U | static_cast<std::uint64_t>(find_sum(task, row, k, step).code) << 1U | 1U;
         __atomic_store_n(entry, found, __ATOMIC_RELAXED);
     }
     const AngleSum sum{static_cast<unsigned>(found >> 1U & 0x3fffU)};
     if (sum.code == 0) {
         return false;
     }
-    const Wide::Bits enough(1280);
-    const Careful own = sum.of<Careful>(angles) + Careful(sum.constant());
+    const Careful own = sum.of(angles) + Careful(sum.constant());
     bool fits = false;
     bool is_one = true;
     Careful angle;

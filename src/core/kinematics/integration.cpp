@@ -48,6 +48,7 @@ Vector3d magnus6(double h, std::span<const Vector3d> w) noexcept {
 
 /// Without reduction where there is nothing to reduce, to the same bits.
 SineCosine<double> sine_cosine_of_step(double half) noexcept {
+    constexpr double least_reduced_angle = 0x1.9p-6; // below half a step of pi/64
     if (half > least_reduced_angle) {
         return sine_cosine<double>(half, AngleUnit::radians);
     }

@@ -53,10 +53,7 @@ template <class T> [[nodiscard]] SineCosine<T> sine_cosine(DoubleDouble angle, A
 template <class T> void sine_cosine(const Column<DoubleDouble>& angles, std::size_t rows, AngleUnit unit,
                                     Column<T>& cosines, Column<T>& sines) noexcept;
 
-/// Above this angle in radians sine_cosine() reduces it.
-inline constexpr double least_reduced_angle = 0x1.9p-6; // below half a step of pi/64
-
-/// Taylor's series of an angle up to that, to less than its last digit: sine less the angle, and cosine less 1.
+/// Taylor's series of an angle up to 0.025, to less than its last digit: sine less the angle, and cosine less 1.
 struct SmallAngle {
     ROTCONV_INLINE explicit SmallAngle(double angle) noexcept {
         const double s = angle * angle;
