@@ -88,15 +88,8 @@ struct Option {
     [[nodiscard]] const std::string& text() const noexcept;
 };
 
-/// The options of a command, in the order of its help, and what else a command line has: words that are not options,
-/// and what is wrong with those that are.
-class OptionSet {
-public:
-    OptionSet() = default;
-    OptionSet(const OptionSet&) = delete;
-    OptionSet& operator=(const OptionSet&) = delete;
-    virtual ~OptionSet() = default;
-
+/// The words of a command line that are not options, and what is wrong with those that are.
+struct Operands {
     std::vector<std::string> values{};
     std::vector<std::string> files{};
     std::vector<WordEnd> file_words{};  ///< of FILEs
@@ -112,6 +105,15 @@ public:
     [[nodiscard]] std::string_view command_name() const {
         return begin > 0 ? std::string_view(words[begin - 1]) : std::string_view();
     }
+};
+
+/// The options of a command, in the order of its help, and what is given beside them.
+class OptionSet : public Operands {
+public:
+    OptionSet() = default;
+    OptionSet(const OptionSet&) = delete;
+    OptionSet& operator=(const OptionSet&) = delete;
+    virtual ~OptionSet() = default;
 
     /// Adds options under that title. They will have what is given, and must outlive the set.
     void add(std::string_view group, std::initializer_list<Option*> options) {

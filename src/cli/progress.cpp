@@ -19,8 +19,14 @@ void Progress::add(std::string_view bytes) {
     if (const auto now = Clock::now(); now >= next_) {
         next_ = now + interval;
         has_line_ = true;
-        const std::string line = text(std::chrono::duration<double>(now - begin_).count());
-        static_cast<void>(stream::File(STDERR_FILENO).write(line + "\033[K\r")); // a message overwrites it
+        const double seconds = std::chrono::duration<double>(now - begin_).count();
+        const double part = size_ > 0 ? static_cast<double>(done_) / static_cast<double>(size_) : 0.0;
+        const std::string percent = size_ > 0 ? fmt::format("{:.0f} %, ", 100.0 * part) : "";
+        const std::string left = part > 0.0 ? fmt::format(", {:.0f} s left", seconds / part - seconds) : "";
+        static_cast<void>(stream::File(STDERR_FILENO)
+                              .write( // a message overwrites it
+                                  fmt::format("rotconv: {}{} rows, {:.3g} rows/s{}\033[K\r", percent, rows_,
+                                              static_cast<double>(rows_) / seconds, left)));
     }
 }
 
@@ -28,14 +34,6 @@ void Progress::clear() {
     if (std::exchange(has_line_, false)) {
         static_cast<void>(stream::File(STDERR_FILENO).write("\033[K"));
     }
-}
-
-std::string Progress::text(double seconds) const {
-    const double part = size_ > 0 ? static_cast<double>(done_) / static_cast<double>(size_) : 0.0;
-    const std::string percent = size_ > 0 ? fmt::format("{:.0f} %, ", 100.0 * part) : "";
-    const std::string left = part > 0.0 ? fmt::format(", {:.0f} s left", seconds / part - seconds) : "";
-    return fmt::format("rotconv: {}{} rows, {:.3g} rows/s{}", percent, rows_, static_cast<double>(rows_) / seconds,
-                       left);
 }
 
 } // namespace rotconv::cli

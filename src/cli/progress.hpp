@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstddef>
-#include <string>
 #include <string_view>
 
 namespace rotconv::cli {
@@ -25,8 +24,6 @@ private:
     using Clock = std::chrono::steady_clock;
     static constexpr std::chrono::milliseconds before_first{1000};
     static constexpr std::chrono::milliseconds interval{200};
-
-    [[nodiscard]] std::string text(double seconds) const;
 
     bool is_shown_;
     bool has_line_ = false;

@@ -136,11 +136,13 @@ bool is_of_command(std::string_view name) {
     return has_word(name, "cmd setpoint target ref") || has_word(name, "sp des desired", "_");
 }
 
-/// Calls what to do with the place of the first word in its name, and with the places of all, for each set of names
-/// that are the words between one prefix and one suffix. A name that stands twice, or that is as long as a text, is in
-/// none.
-template <class Take>
-void for_each_set(const std::vector<std::string>& words, const std::vector<std::string>& names, const Take& take) {
+/// Names that are words between one prefix and one suffix.
+struct FoundWords {
+    std::size_t prefix;              ///< its size
+    std::vector<std::size_t> places; ///< of the names, in the order of the words
+};
+/// All of them. A name that stands twice, or that is as long as a text, is in none.
+std::vector<FoundWords> find_words(const std::vector<std::string>& words, const std::vector<std::string>& names) {
     constexpr std::size_t longest = 200;
     std::unordered_map<std::string_view, std::vector<std::size_t>> places_of;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -148,22 +150,24 @@ void for_each_set(const std::vector<std::string>& words, const std::vector<std::
             places_of[names[i]].push_back(i);
         }
     }
+    std::vector<FoundWords> found;
     for (const std::string& name : names) {
         const auto first = name.size() > longest ? std::string::npos : name.find(words.front());
         for (auto at = first; at != std::string::npos; at = name.find(words.front(), at + 1)) {
             std::vector<std::size_t> places;
             for (const std::string& word : words) {
-                const auto found = places_of.find(std::string(name).replace(at, words.front().size(), word));
-                if (found == places_of.end() || found->second.size() > 1) {
+                const auto place = places_of.find(std::string(name).replace(at, words.front().size(), word));
+                if (place == places_of.end() || place->second.size() > 1) {
                     break;
                 }
-                places.push_back(found->second.front());
+                places.push_back(place->second.front());
             }
             if (places.size() == words.size()) {
-                take(at, places);
+                found.push_back({at, std::move(places)});
             }
         }
     }
+    return found;
 }
 
 /// Whether the words, which stand at `places` of the names without units, share what they may.
@@ -204,18 +208,15 @@ std::vector<KnownNames> all_sets(const Part& part, std::span<const std::string> 
             break;
         }
         for (const auto& each : texts) {
-            for_each_set(spelling.words, each, [&](std::size_t size, const std::vector<std::size_t>& places) {
+            for (const auto& [size, places] : find_words(spelling.words, each)) {
                 const std::string prefix = names[places[0]].substr(0, size);
                 const std::string suffix = names[places[0]].substr(size + spelling.words[0].size());
                 const bool is_bare = each[places[0]] == spelling.words[0];
+                const int rank = !is_bare ? 2 : &spelling == spellings.data() ? 0 : 1;
                 if (is_shared(spelling, prefix, suffix, places, each) && known.insert(places).second) {
-                    found.push_back({places, spelling.decides,
-                                     !is_bare                        ? 2
-                                     : &spelling == spellings.data() ? 0
-                                                                     : 1,
-                                     prefix, suffix});
+                    found.push_back({places, spelling.decides, rank, prefix, suffix});
                 }
-            });
+            }
         }
     }
     return found;

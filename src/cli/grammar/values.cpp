@@ -91,11 +91,17 @@ public:
         }
     }
 
-    std::string note{};           ///< what was chosen although the command line does not say it, in one line
-    bool has_other_label = false; ///< see Values
+    /// Adds what was chosen although the command line does not say it, in one line; the first that says anything
+    /// counts.
+    void tell(Values& values) const {
+        values.has_other_label = has_other_label_;
+        if (values.notes.empty() && !note_.empty()) {
+            values.notes.push_back({.kind = stream::Note::Kind::order, .text = note_});
+        }
+    }
 
 private:
-    void add_note(std::string_view text) { note += (note.empty() ? "" : "; ") + std::string(text); }
+    void add_note(std::string_view text) { note_ += (note_.empty() ? "" : "; ") + std::string(text); }
 
     [[nodiscard]] const Spec& spec() const { return *part_.attitude; }
     [[nodiscard]] std::string text_of_part() const { return part_.attitude ? spec().text() : joined(part_.names); }
@@ -189,7 +195,7 @@ private:
         }
         if (!label.empty() && !named_representation(name_in(label)) && conventions_in(label).empty()) {
             add_note(fmt::format("the numbers after {} are read as {}", quoted(label), spec().text()));
-            has_other_label = true;
+            has_other_label_ = true;
         }
         return groups[0];
     }
@@ -403,20 +409,16 @@ private:
     const Part& part_;
     std::string_view from_;
     bool is_ordered_ = false; ///< by a word
+    bool has_other_label_ = false;
+    std::string note_;
 };
 
 /// The numbers of a text for the parts of a row.
 Numbers numbers_of(const ValueText& text, const std::vector<Part>& parts, std::string_view from, Values& values) {
-    const auto told = [&values](const Reading& reading) {
-        values.has_other_label = reading.has_other_label;
-        if (values.notes.empty() && !reading.note.empty()) {
-            values.notes.push_back({.kind = stream::Note::Kind::order, .text = reading.note});
-        }
-    };
     if (parts.size() == 1 && !text.numbers.empty()) {
         Reading reading(text, parts[0], from);
         auto numbers = reading.chosen();
-        told(reading);
+        reading.tell(values);
         return numbers;
     }
     const Part& last = parts.back();
@@ -431,7 +433,7 @@ Numbers numbers_of(const ValueText& text, const std::vector<Part>& parts, std::s
         reading.check_aside(begin->group);
         const auto own = reading.held({begin, begin + static_cast<std::ptrdiff_t>(part.names.size())});
         std::ranges::copy(own, begin);
-        told(reading);
+        reading.tell(values);
     }
     return numbers;
 }
