@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <compare>
 #include <cstdint>
 #include <limits>
 #include <mutex>
@@ -33,9 +32,8 @@ thread_local bool is_doubted = false; // NOLINT(*-avoid-non-const-global-variabl
 struct Bound {
     Exponent x = std::numeric_limits<Exponent>::min();
 
-    bool operator==(const Bound&) const = default;
-    auto operator<=>(const Bound&) const = default;
-    [[nodiscard]] bool is_zero() const noexcept { return *this == Bound(); }
+    [[nodiscard]] bool is_zero() const noexcept { return x == std::numeric_limits<Exponent>::min(); }
+    bool operator<(Bound other) const noexcept { return x < other.x; }
 };
 Bound operator+(Bound a, Bound b) noexcept { return a.is_zero() ? b : b.is_zero() ? a : Bound{std::max(a.x, b.x) + 1}; }
 Bound operator*(Bound a, Bound b) noexcept { return a.is_zero() || b.is_zero() ? Bound() : Bound{a.x + b.x}; }
