@@ -12,6 +12,14 @@ namespace {
 constexpr TurnTable turn_table;
 constexpr ArcTangentTable arc_tangent_table;
 
+/// The binary digits of 1/pi behind the point.
+constexpr std::uint64_t inverse_of_pi[] = {
+    0x517cc1b727220a94U, 0xfe13abe8fa9a6ee0U, 0x6db14acc9e21c820U, 0xff28b1d5ef5de2b0U, 0xdb92371d2126e970U,
+    0x0324977504e8c90eU, 0x7f0ef58e5894d39fU, 0x74411afa975da242U, 0x74ce38135a2fbf20U, 0x9cc8eb1cc1a99cfaU,
+    0x4e422fc5defc941dU, 0x8ffc4bffef02cc07U, 0xf79788c5ad05368fU, 0xb69b3f6793e584dbU, 0xa7a31fb34f2ff516U,
+    0xba93dd63f5f2f8bdU, 0x9e839cfbc5294975U, 0x35fdafd88fc6ae84U, 0x2b0198237e3db5d5U, 0xf867de104d7a1b0eU,
+    0xd4f1c8b0af730d84U, 0x32ccc2af8a503420U};
+
 /// pi/64 in four parts.
 constexpr double step_parts[] = {0x1.921fb54442d18p-5, 0x1.1a62633145c07p-59, -0x1.f1976b7ed8fbcp-115,
                                  0x1.4cf98e804177dp-169};
@@ -69,21 +77,54 @@ template <class T> ROTCONV_INLINE Steps steps_in_degrees(DoubleDouble angle, T /
     return {count, two_sum(rest, angle.lo) * exact_radians_per_degree};
 }
 
-/// Of an angle of any size, by its sine and cosine: the rest from the nearest axis has all its digits.
+/// Valid range: any double of 1 or more. Takes the digits of angle/(2 pi) behind the point, by way of 320 digits of
+/// 1/pi (Payne and Hanek 1983).
+Steps steps_in_large_radians(double angle) noexcept {
+    const Binary binary(angle);
+    constexpr int words = 5;
+    std::uint64_t fraction[words]; // of 1/(2 pi) times 2^exponent, in words of falling weight
+    for (int i = 0; i < words; ++i) {
+        const int first = binary.exponent - 1 + 64 * i; // the place of the word's first digit, from 0
+        const int word = (first + 64) / 64 - 1;         // first / 64, rounded down
+        const auto shift = static_cast<unsigned>(first - 64 * word);
+        const std::uint64_t high = word < 0 ? 0 : inverse_of_pi[word];
+        // NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): it has all
+        const std::uint64_t low = inverse_of_pi[word + 1];
+        fraction[i] = shift == 0 ? high : (high << shift) | (low >> (64U - shift));
+    }
+    __extension__ using Uint128 = unsigned __int128;
+    std::uint64_t carry = 0; // what it is at the end is whole turns
+    for (int i = words - 1; i >= 0; --i) {
+        const Uint128 product = static_cast<Uint128>(fraction[i]) * binary.digits + carry;
+        fraction[i] = static_cast<std::uint64_t>(product);
+        carry = static_cast<std::uint64_t>(product >> 64U);
+    }
+    const auto count = static_cast<double>(((fraction[0] >> 1U) + (std::uint64_t{1} << 55U)) >> 56U);
+    DoubleDouble rest = 0.0; // in steps, from half a step below 0 on
+    for (int i = words - 1; i >= 0; --i) {
+        const std::uint64_t word = (fraction[i] << 7U) | (i + 1 < words ? fraction[i + 1] >> 57U : 0U);
+        const double high =
+            i == 0 ? static_cast<double>(static_cast<std::int64_t>(word) >> 32U) : static_cast<double>(word >> 32U);
+        rest =
+            rest + scaled(two_sum(high * 0x1p32, static_cast<double>(word & 0xffffffffU)), power_of_two(-64 * (i + 1)));
+    }
+    rest = rest * step;
+    return binary.is_negative ? Steps{-count, -rest} : Steps{count, rest};
+}
+
 Steps steps_in_large(DoubleDouble angle, AngleUnit unit) noexcept {
     if (!(__builtin_fabs(angle.hi) <= 0x1.fffffffffffffp1023)) {
         return {0.0, angle.hi - angle.hi}; // nan
     }
-    const SineCosine<Wide> sides = sine_cosine(Wide(angle), unit);
-    const double s = sides.sine.rounded();
-    const double c = sides.cosine.rounded();
-    const bool flat = __builtin_fabs(s) <= __builtin_fabs(c);
-    const Wide x = flat ? sides.cosine : sides.sine;
-    const Wide y = flat ? sides.sine : -sides.cosine;
-    const bool back = (flat ? c : s) < 0.0;
-    const Wide rest = angle_of(back ? -x : x, back ? -y : y, AngleUnit::radians);
-    const Steps steps = steps_in_radians(rounded_parts(rest), DoubleDouble());
-    return {steps.count + (flat ? 0.0 : 32.0) + (back ? 64.0 : 0.0), steps.rest};
+    if (unit == AngleUnit::degrees) {
+        // each part alone, exactly, then the sum, which may be a turn more
+        return steps_in_degrees(two_sum(__builtin_fmod(angle.hi, 360.0), __builtin_fmod(angle.lo, 360.0)),
+                                DoubleDouble());
+    }
+    const Steps high = steps_in_large_radians(angle.hi);
+    const Steps low =
+        __builtin_fabs(angle.lo) >= 1.0 ? steps_in_large_radians(angle.lo) : steps_in_radians(angle.lo, DoubleDouble());
+    return {high.count + low.count, high.rest + low.rest};
 }
 
 /// Valid range: any angle.
@@ -183,11 +224,17 @@ template <class T> ROTCONV_INLINE Tangent<T> tangent_from_nearer_axis(T x, T y) 
     return {near, divisor, (to_double(near) / to_double(divisor) * 64.0 + rounding) - rounding};
 }
 
+/// A tangent's square in the series of the angle, or 0 where the angle is the tangent in all digits.
+ROTCONV_INLINE double counting(double tangent) noexcept { return __builtin_fabs(tangent) < 0x1p-200 ? 0.0 : tangent; }
+ROTCONV_INLINE DoubleDouble counting(DoubleDouble tangent) noexcept {
+    return select(__builtin_fabs(tangent.hi) < 0x1p-200, DoubleDouble(), tangent);
+}
+
 /// The arc tangent of what is left of a tangent after its steps: (near - far c)/(far + near c).
 ROTCONV_INLINE DoubleDouble rest_of_arc_tangent(const Tangent<DoubleDouble>& t) noexcept {
     const double c = t.count * 0x1p-6;
     const DoubleDouble tangent = sloppy_sum(t.near, t.far * -c) / sloppy_sum_ordered(t.far, t.near * c);
-    const DoubleDouble s = square(tangent);
+    const DoubleDouble s = square(counting(tangent));
     const double tail =
         0x1.c71c71c71c71cp-4 +
         s.hi * (-0x1.745d1745d1746p-4 +
@@ -200,7 +247,7 @@ ROTCONV_INLINE DoubleDouble rest_of_arc_tangent(const Tangent<DoubleDouble>& t) 
 ROTCONV_INLINE DoubleDouble rest_of_arc_tangent(const Tangent<double>& t) noexcept {
     const double c = t.count * 0x1p-6;
     const double tangent = exact_difference(t.near, t.far, c) / (t.far + t.near * c);
-    const double s = square(tangent);
+    const double s = square(counting(tangent));
     return {tangent, tangent * s *
                          (-0x1.5555555555555p-2 +
                           s * (0x1.999999999999ap-3 + s * (-0x1.2492492492492p-3 + s * 0x1.c71c71c71c71cp-4)))};
