@@ -110,7 +110,7 @@ std::vector<std::vector<Mend>> with_more_tolerance(const CommandOptions& options
     const Option* const tolerance = options.find("--tolerance");
     std::vector<std::vector<Mend>> mends;
     if (error.what == stream::RowError::What::attitude && error.error == Error::defect && error.defect < most &&
-        tolerance != nullptr) {
+        tolerance != nullptr && !tolerance->given()) {
         for (const char* each : {"0.01", "0.1"}) {
             mends.push_back({{{OptionSet::setting(*tolerance, each)}}});
         }

@@ -4,7 +4,9 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <list>
 #include <mutex>
 #include <utility>
 
@@ -28,17 +30,38 @@ using Exponent = std::int64_t;
 thread_local int work_bits = 256;     // NOLINT(*-avoid-non-const-global-variables): of a thread
 thread_local bool is_doubted = false; // NOLINT(*-avoid-non-const-global-variables)
 
-/// An upper bound, 2^x, or 0 where x is the least of all exponents.
+/// An upper bound, 0 or v 2^x with v in [1/2, 1).
 struct Bound {
-    Exponent x = std::numeric_limits<Exponent>::min();
+    double v = 0.0;
+    Exponent x = 0;
 
-    [[nodiscard]] bool is_zero() const noexcept { return x == std::numeric_limits<Exponent>::min(); }
-    bool operator<(Bound other) const noexcept { return x < other.x; }
+    bool operator==(const Bound&) const = default;
 };
-Bound operator+(Bound a, Bound b) noexcept { return a.is_zero() ? b : b.is_zero() ? a : Bound{std::max(a.x, b.x) + 1}; }
-Bound operator*(Bound a, Bound b) noexcept { return a.is_zero() || b.is_zero() ? Bound() : Bound{a.x + b.x}; }
-Bound operator/(Bound a, Bound b) noexcept { return a.is_zero() ? a : Bound{a.x - b.x}; }
-Bound root_of(Bound a) noexcept { return a.is_zero() ? a : Bound{(a.x + 1) >> 1}; }
+Bound bound(double v, Exponent x) noexcept { // v: 0, or of ordinary size
+    const double scale = unit_scale(v);
+    return v == 0.0 ? Bound() : Bound{v * scale, x - exponent_of(scale)};
+}
+Bound bound_of_bit(Exponent x) noexcept { return {0.5, x + 1}; }
+constexpr double upwards = 1.0 + 0x1p-40;
+Bound operator+(Bound a, Bound b) noexcept {
+    if (a.v == 0.0 || b.v == 0.0) {
+        return a.v == 0.0 ? b : a;
+    }
+    if (a.x < b.x) {
+        std::swap(a, b);
+    }
+    const Exponent distance = std::min<Exponent>(a.x - b.x, 60);
+    return bound((a.v + b.v * power_of_two(-static_cast<int>(distance))) * upwards, a.x);
+}
+Bound operator*(Bound a, Bound b) noexcept { return bound(a.v * b.v * upwards, a.x + b.x); }
+Bound operator/(Bound a, Bound b) noexcept { return bound(a.v / b.v * upwards, a.x - b.x); }
+Bound root_of(Bound a) noexcept {
+    const bool odd = (a.x & 1) != 0;
+    return bound(std::sqrt(odd ? 2.0 * a.v : a.v) * upwards, (a.x - (odd ? 1 : 0)) / 2);
+}
+bool operator<(Bound a, Bound b) noexcept {
+    return b.v != 0.0 && (a.v == 0.0 || a.x < b.x || (a.x == b.x && a.v < b.v));
+}
 
 Exponent length(const Int& m) noexcept {
     const auto& digits = m.backend();
@@ -143,11 +166,12 @@ struct Wide::Number {
     Bound r{};
     bool is_infinite = false;
 
+    bool operator==(const Number&) const = default;
     [[nodiscard]] Exponent top() const noexcept { return e + length(m); } ///< the number is below 2^top
-    [[nodiscard]] Bound size() const noexcept { return m.is_zero() ? Bound() : Bound{top()}; }
-    [[nodiscard]] Bound least() const noexcept { return m.is_zero() ? Bound() : Bound{top() - 1}; }
+    [[nodiscard]] Bound size() const noexcept { return m.is_zero() ? Bound() : bound_of_bit(top()); }
+    [[nodiscard]] Bound least() const noexcept { return m.is_zero() ? Bound() : bound_of_bit(top() - 1); }
     /// Where it may not, it is at least half of least().
-    [[nodiscard]] bool may_be_near_zero() const noexcept { return m.is_zero() || !(r < Bound{top() - 2}); }
+    [[nodiscard]] bool may_be_near_zero() const noexcept { return m.is_zero() || !(r < bound_of_bit(top() - 2)); }
     [[nodiscard]] int clear_sign() const noexcept { return is_infinite || may_be_near_zero() ? 0 : m.sign(); }
     Number* normalized() noexcept {
         const Exponent excess = length(m) - work_bits;
@@ -159,7 +183,7 @@ struct Wide::Number {
     }
     void shift_to(Exponent place) noexcept {
         if (!shift(m, e - place)) {
-            r = r + Bound{place};
+            r = r + bound_of_bit(place);
         }
         e = place;
     }
@@ -198,7 +222,7 @@ Wide::~Wide() { delete number_; }
 bool Wide::round(double& nearest) const noexcept {
     const Number& n = *number_;
     nearest = rounded();
-    if (n.is_infinite || n.r.is_zero()) {
+    if (n.is_infinite || n.r.v == 0.0) {
         return true;
     }
     // the bound as a power of two, or the least that counts beside the number
@@ -226,10 +250,10 @@ double Wide::rounded() const noexcept {
                                 : nearest_double(number_->m, number_->e);
 }
 bool Wide::may_be_zero() const noexcept {
-    return !number_->is_infinite && !number_->r.is_zero() && number_->may_be_near_zero();
+    return !number_->is_infinite && number_->r.v != 0.0 && number_->may_be_near_zero();
 }
 bool Wide::is_below(int exponent) const noexcept {
-    return !number_->is_infinite && number_->size() + number_->r < Bound{exponent};
+    return !number_->is_infinite && number_->size() + number_->r < bound_of_bit(exponent);
 }
 Wide Wide::middle() const noexcept {
     Wide a = *this;
@@ -248,7 +272,7 @@ int Wide::exponent() const noexcept { return number_->m.is_zero() ? -1'000'000 :
 Wide Wide::shifted(int power) const noexcept {
     Wide a = *this;
     a.number_->e += a.number_->m.is_zero() ? 0 : power;
-    a.number_->r.x += a.number_->r.is_zero() ? 0 : power;
+    a.number_->r.x += a.number_->r.v == 0.0 ? 0 : power;
     return a;
 }
 
@@ -286,7 +310,7 @@ Wide operator/(const Wide& a, const Wide& b) noexcept {
     const Wide::Number& x = *a.number_;
     const Wide::Number& y = *b.number_;
     if (x.is_infinite || y.is_infinite || y.may_be_near_zero()) {
-        is_doubted = is_doubted || !y.r.is_zero();
+        is_doubted = is_doubted || y.r.v != 0.0;
         auto* const n = new Wide::Number;
         n->is_infinite = true;
         n->m = x.m.sign() < 0 ? -1 : 1;
@@ -298,9 +322,9 @@ Wide operator/(const Wide& a, const Wide& b) noexcept {
     Int rest;
     divide_qr(dividend, y.m, quotient.m, rest);
     quotient.e = x.e - y.e - by;
-    const Bound last{quotient.e};
-    const Bound error = (x.r + (quotient.size() + last) * y.r) / Bound{y.top() - 2}; // half of what |b| is at least
-    return Wide(Wide::Number::of(quotient.m, quotient.e, rest.is_zero() ? error : error + last));
+    const Bound divisor = bound_of_bit(y.top() - 2); // half of what |b| is at least
+    const Bound error = (x.r + (quotient.size() + bound_of_bit(quotient.e)) * y.r) / divisor;
+    return Wide(Wide::Number::of(quotient.m, quotient.e, rest.is_zero() ? error : error + bound_of_bit(quotient.e)));
 }
 Wide root(const Wide& a) noexcept {
     const Wide::Number& x = *a.number_;
@@ -316,9 +340,9 @@ Wide root(const Wide& a) noexcept {
     Wide::Number whole;
     whole.m = root_of(square);
     whole.e = (x.e - by) / 2;
-    const bool is_exact = x.r.is_zero() && whole.m * whole.m == square;
+    const bool is_exact = x.r.v == 0.0 && whole.m * whole.m == square;
     const Bound error = x.may_be_near_zero() ? root_of(x.r + x.size()) : x.r / whole.least();
-    return Wide(Wide::Number::of(whole.m, whole.e, is_exact ? Bound() : error + Bound{whole.e}));
+    return Wide(Wide::Number::of(whole.m, whole.e, is_exact ? Bound() : error + bound_of_bit(whole.e)));
 }
 Wide scaled(const Wide& a, double power) noexcept {
     int own = 0;
@@ -330,14 +354,14 @@ Wide scaled(const Wide& a, double power) noexcept {
 
 Wide Wide::half_turn(bool in_degrees) noexcept {
     const Exponent e = -(work_bits + 8);
-    return in_degrees ? Wide(180.0) : Wide(Number::of(pi_to(-e), e, Bound{e + 1}));
+    return in_degrees ? Wide(180.0) : Wide(Number::of(pi_to(-e), e, bound_of_bit(e + 1)));
 }
 
 /// Taylor's series of 1 - cos of an angle up to a quarter turn, of so small a part of it that they are short, and then
 /// doubled.
 void Wide::series_of(const Wide& rest, Wide& sine, Wide& cosine) noexcept {
     const int doublings = work_bits < 512 ? 4 : work_bits / 160;
-    work_bits += 5 * doublings + 16; // a doubling adds that many to the bound
+    work_bits += 2 * doublings + 16;
     const Wide part = rest.middle().shifted(-doublings);
     const Exponent fine = work_bits + 32;
     Int z = part.number_->m * part.number_->m;
@@ -349,7 +373,7 @@ void Wide::series_of(const Wide& rest, Wide& sine, Wide& cosine) noexcept {
         term = times(term, z, fine) / (k * (k + 1));
         sum += (k & 2U) != 0 ? Int(-term) : term;
     }
-    Wide versine = square(part).shifted(-1) * Wide(Number::of(sum, -fine, Bound{std::bit_width(2 * k) - fine}));
+    Wide versine = square(part).shifted(-1) * Wide(Number::of(sum, -fine, bound(2.0 * k, -fine)));
     for (int i = 0; i < doublings; ++i) {
         versine = versine.shifted(1) * (Wide(2.0) - versine);
     }
@@ -357,7 +381,7 @@ void Wide::series_of(const Wide& rest, Wide& sine, Wide& cosine) noexcept {
     sine = root(versine * (Wide(2.0) - versine));
     negate_if(is_negative, sine.number_->m);
     cosine = Wide(1.0) - versine;
-    work_bits -= 5 * doublings + 16;
+    work_bits -= 2 * doublings + 16;
     for (Wide* const both : {&sine, &cosine}) { // neither changes by more than the angle
         both->number_->r = both->number_->r + rest.number_->r;
         both->number_->normalized();
@@ -365,6 +389,38 @@ void Wide::series_of(const Wide& rest, Wide& sine, Wide& cosine) noexcept {
 }
 
 void Wide::sine_cosine(const Wide& angle, bool in_degrees, Wide& sine, Wide& cosine) noexcept {
+    struct Known {
+        Number angle{};
+        bool in_degrees = false;
+        int bits = 0;
+        Wide sine, cosine;
+    };
+    constexpr std::size_t most = 64;
+    // the latest first: the angles of fixed rotations come again with each row; no thread's own: see pi_to()
+    static std::mutex mutex;
+    static auto& all = *new std::list<Known>; // NOLINT(*-avoid-non-const-global-variables)
+    const Number& n = *angle.number_;
+    {
+        const std::lock_guard lock(mutex);
+        const auto known = std::find_if(all.begin(), all.end(), [&](const Known& each) {
+            return each.bits == work_bits && each.in_degrees == in_degrees && each.angle == n;
+        });
+        if (known != all.end()) {
+            all.splice(all.begin(), all, known);
+            sine = known->sine;
+            cosine = known->cosine;
+            return;
+        }
+    }
+    const Number own = n; // one of the results may be the angle
+    find_sine_cosine(angle, in_degrees, sine, cosine);
+    const std::lock_guard lock(mutex);
+    all.size() < most ? all.splice(all.begin(), std::list<Known>(1))
+                      : all.splice(all.begin(), all, std::prev(all.end()));
+    all.front() = {own, in_degrees, work_bits, sine, cosine};
+}
+
+void Wide::find_sine_cosine(const Wide& angle, bool in_degrees, Wide& sine, Wide& cosine) noexcept {
     const int own_bits = work_bits;
     work_bits = own_bits + 64 + static_cast<int>(std::max<Exponent>(0, angle.number_->top()));
     const Wide quarter = half_turn(in_degrees).shifted(-1);
@@ -423,7 +479,7 @@ Wide Wide::acute_angle(const Wide& near, const Wide& far) noexcept {
         k += 2;
         sum += (k & 2U) != 0 ? Int(-(power / k)) : Int(power / k);
     }
-    Wide rest = t.middle() * Wide(Number::of(sum, -fine, Bound{std::bit_width(4 * k) - fine}));
+    Wide rest = t.middle() * Wide(Number::of(sum, -fine, bound(4.0 * k, -fine)));
     rest.number_->r = rest.number_->r + t.number_->r;
     return first + rest;
 }
@@ -434,13 +490,13 @@ Wide Wide::angle_of(const Wide& x, const Wide& y, bool in_degrees) noexcept {
     const Wide half = half_turn(in_degrees);
     const auto beside_axis = [](Wide angle, const Wide& near, const Wide& far) { // by 2 |near/far| 57.3 at most
         const Number& n = *near.number_;
-        if (!n.r.is_zero() || !n.m.is_zero()) {
-            angle.number_->r = angle.number_->r + (n.r + n.size()) / far.number_->least() * Bound{7};
+        if (n.r.v != 0.0 || !n.m.is_zero()) {
+            angle.number_->r = angle.number_->r + (n.r + n.size()) / far.number_->least() * bound_of_bit(7);
         }
         return angle;
     };
     if (y_sign == 0 && x_sign == 0) {
-        is_doubted = is_doubted || !x.number_->r.is_zero() || !y.number_->r.is_zero();
+        is_doubted = is_doubted || x.number_->r.v != 0.0 || y.number_->r.v != 0.0;
         return 0.0;
     }
     if (y_sign == 0) {
@@ -454,7 +510,7 @@ Wide Wide::angle_of(const Wide& x, const Wide& y, bool in_degrees) noexcept {
     const Number distance = *(x_size - y_size).number_;
     const bool is_flat = distance.m.sign() >= 0;
     Wide angle = half.shifted(-2);
-    if (!distance.m.is_zero() || !distance.r.is_zero()) {
+    if (!distance.m.is_zero() || distance.r.v != 0.0) {
         angle = is_flat ? acute_angle(y_size, x_size) : acute_angle(x_size, y_size);
         angle = in_degrees ? angle * Wide(180.0) / half_turn(false) : angle;
     }

@@ -86,6 +86,7 @@ public:
 
 private:
     explicit Wide(Number* number) noexcept : number_(number) {}
+    static void find_sine_cosine(const Wide& angle, bool in_degrees, Wide& sine, Wide& cosine) noexcept;
     static void series_of(const Wide& rest, Wide& sine, Wide& cosine) noexcept;
     static Wide acute_angle(const Wide& near, const Wide& far) noexcept;
 
