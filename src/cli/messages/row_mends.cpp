@@ -60,11 +60,10 @@ constexpr auto filters = std::to_array<Filter>({
      [](const std::string& text) {
          return filtered_lines(text, [](std::size_t, const std::string& line) {
              const std::size_t mark = std::min(line.find_first_not_of(' '), line.size());
-             const std::size_t begin = line.find_first_not_of(' ', mark + 1);
+             const std::size_t begin = std::min(line.find_first_not_of(' ', mark + 1), line.size());
              std::string made = line;
              if (line.compare(mark, 1, "-") == 0) {
-                 made.erase(
-                     0, std::min(begin == line.npos ? line.size() : begin + (line[begin] == '[' ? 1 : 0), line.size()));
+                 made.erase(0, begin + (line.compare(begin, 1, "[") == 0 ? 1 : 0));
              }
              std::erase(made, ']');
              return made;
@@ -85,16 +84,15 @@ bool is_zero(std::string_view field) {
 /// Names of which some stand twice, each with a suffix that those between two repetitions share: those of two bodies,
 /// or of a rotation and a position.
 std::vector<std::string> told_apart(std::vector<std::string> names) {
-    std::vector<std::string> run; // since a name came again
-    char mark = '\x01';
     const std::set<std::string> distinct(names.begin(), names.end());
+    std::set<std::string> run; // since a name came again
+    std::size_t runs = 0;
     for (std::string& name : names) {
-        if (std::ranges::count(run, name) > 0) {
-            run.clear();
-            ++mark;
+        if (!run.insert(name).second) {
+            run = {name};
+            ++runs;
         }
-        run.push_back(name);
-        name += distinct.size() < names.size() && !name.empty() ? std::string(1, mark) : "";
+        name += distinct.size() < names.size() && !name.empty() ? fmt::format("\x01{}", runs) : "";
     }
     return names;
 }
@@ -138,7 +136,9 @@ public:
             return std::move(mends_);
         }
         const auto above = header_above(at_);
-        const auto has_digit = [](std::string_view field) { return field.find_first_of("0123456789") != field.npos; };
+        const auto has_digit = [](std::string_view field) {
+            return field.find_first_of("0123456789") != std::string_view::npos;
+        };
         if (above && above->names.size() == rows_[at_].fields.size() && !has_answers &&
             std::ranges::none_of(above->known.of(rows_[at_].names()), has_digit)) {
             return {}; // a row of its header whose numbers are missing: what passes over both would lose names
@@ -480,7 +480,7 @@ private:
     }
     /// Offers the rows before an end that has no numbers.
     void offer_rows_before() {
-        const std::size_t size = static_cast<std::size_t>(rows_[at_].line.text.data() - text_.data());
+        const auto size = static_cast<std::size_t>(rows_[at_].line.text.data() - text_.data());
         const bool is_end = std::none_of(rows_.begin() + static_cast<std::ptrdiff_t>(at_), rows_.end(),
                                          [](const Row& row) { return row.has_numbers; });
         if (is_end && !is_cut()) {
