@@ -217,7 +217,8 @@ private:
         return command_->options.input.width == 0 && !error.place.is_in_reference() && error.cause.line == 0 &&
                (error.what == not_a_number || error.what == wrong_count || error.what == missing_column ||
                 error.what == other_width || error.what == open_quote ||
-                (error.what == attitude && (error.error == Error::defect || error.error == Error::coarse_step)));
+                (error.what == attitude && error.error == Error::coarse_step) ||
+                may_be_tolerated(*command_->line, error));
     }
     [[nodiscard]] std::string text_of(const stream::Place& place) const {
         const std::string at = place.line == 0 || command_->has_values ? "" : fmt::format(":{}", place.line);

@@ -104,15 +104,12 @@ struct Outcome {
     std::vector<std::vector<Mend>> mends{}; ///< otherwise: the first group of which one serves counts
 };
 
-/// For numbers that are further from a rotation than the tolerance allows, but may be meant as one.
+/// Where the numbers may be a rotation: the tolerances that may take them.
 std::vector<std::vector<Mend>> with_more_tolerance(const CommandOptions& options, const stream::RowError& error) {
-    constexpr double most = 0.05;
-    const Option* const tolerance = options.find("--tolerance");
     std::vector<std::vector<Mend>> mends;
-    if (error.what == stream::RowError::What::attitude && error.error == Error::defect && error.defect < most &&
-        tolerance != nullptr && !tolerance->given()) {
-        for (const char* each : {"0.01", "0.1"}) {
-            mends.push_back({{{OptionSet::setting(*tolerance, each)}}});
+    for (const char* each : {"0.01", "0.1"}) {
+        if (may_be_tolerated(options, error)) {
+            mends.push_back({{{OptionSet::setting(*options.find("--tolerance"), each)}}});
         }
     }
     return mends;
@@ -123,7 +120,8 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
     std::optional<stream::RowError> wrong;
     std::vector<Edit> better;
     std::vector<Edit> noted;
-    bool is_whole_text = false; // which has no header
+    bool has_other_order = false; // than the names say
+    bool is_whole_text = false;   // which has no header
     const auto take = [&](const stream::Event& event) {
         const auto* const diagnostic = std::get_if<stream::Diagnostic>(&event);
         if (diagnostic != nullptr && diagnostic->kind == DiagnosticKind::large_angle && better.empty() &&
@@ -131,6 +129,7 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
             better.push_back({{Edit::at_end}, 0, {"-d"}});
         }
         const auto* const note = std::get_if<stream::Note>(&event);
+        has_other_order = has_other_order || (note != nullptr && note->kind == stream::Note::Kind::order);
         is_whole_text = is_whole_text || (note != nullptr && note->kind == stream::Note::Kind::text);
         if (note != nullptr && !note->words.empty()) {
             better.push_back({{Edit::at_end}, 0, note->words});
@@ -161,27 +160,36 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
         return {.serves = true, .names = names, .is_tried = names != RowNamesKind::others, .better = better};
     }
     using What = stream::StreamError::What;
-    if (auto mends = wrong ? with_more_tolerance(*command.line, *wrong) : std::vector<std::vector<Mend>>();
-        !mends.empty() || !noted.empty()) {
-        mends = noted.empty() ? mends : std::vector<std::vector<Mend>>{{{noted}}};
-        return {.is_tried = true, .mends = mends};
+    const auto tried = [&noted](std::vector<std::vector<Mend>> mends) { // and what a note says
+        if (mends.empty() && !noted.empty()) {
+            mends.push_back({{noted}});
+            return Outcome{.is_tried = true, .mends = mends};
+        }
+        for (auto& group : mends) {
+            for (Mend& mend : group) {
+                mend.edits.insert(mend.edits.end(), noted.begin(), noted.end());
+            }
+        }
+        return Outcome{.is_tried = true, .mends = std::move(mends)};
+    };
+    if (wrong && wrong->what == stream::RowError::What::attitude) {
+        return tried(has_other_order ? name_mends(command, text, wrong->place.line)
+                                     : with_more_tolerance(*command.line, *wrong));
     }
     if (command.has_values || options.input.width > 0) {
         const bool is_count = wrong && wrong->what == stream::RowError::What::wrong_count;
-        return {.is_tried = true,
-                .mends = is_count ? messages::meant_by_values(*command.line, options.input.numbers)
-                                  : std::vector<std::vector<Mend>>()};
+        return tried(is_count ? messages::meant_by_values(*command.line, options.input.numbers)
+                              : std::vector<std::vector<Mend>>());
     }
     if ((ending.error && ending.error->place.is_in_reference()) || (wrong && wrong->place.is_in_reference())) {
-        return {.is_tried = true, .mends = reference_mends(command, text, *bytes)};
+        return tried(reference_mends(command, text, *bytes));
     }
     if (ending.error && ending.error->what == What::json) {
-        return {.is_tried = true, .mends = json_mends(command, text, attempt.has_guess)};
+        return tried(json_mends(command, text, attempt.has_guess));
     }
     const std::size_t line = ending.error ? ending.error->place.line : wrong ? wrong->place.line : 0;
-    return {.is_tried = true,
-            .mends = line > 0 ? row_mends(command, text, line, attempt.has_guess, ending.answered > 0)
-                              : std::vector<std::vector<Mend>>()};
+    return tried(line > 0 ? row_mends(command, text, line, attempt.has_guess, ending.answered > 0)
+                          : std::vector<std::vector<Mend>>());
 }
 
 /// @param whole all rows at hand must be answered, not only the first
@@ -330,6 +338,13 @@ private:
 };
 
 } // namespace
+
+bool may_be_tolerated(const CommandOptions& options, const stream::RowError& error) {
+    constexpr double most = 0.05;
+    const Option* const tolerance = options.find("--tolerance");
+    return error.what == stream::RowError::What::attitude && error.error == Error::defect && error.defect < most &&
+           tolerance != nullptr && !tolerance->given();
+}
 
 std::optional<std::string> first_bytes(const std::string& path) {
     if (!stream::File::is_regular(path.c_str())) {

@@ -31,6 +31,9 @@ inline constexpr std::string_view raw_word = "\x01";
 /// A command without a SPEC: what its numbers or its file have, and the SPECs that may be meant.
 [[nodiscard]] Usage missing_spec(const CommandOptions& options, const MissingSpec& error);
 
+/// Whether numbers are so near to a rotation that a larger tolerance may be meant.
+[[nodiscard]] bool may_be_tolerated(const CommandOptions& options, const stream::RowError& error);
+
 /// The end of the message on a row that cannot be read, and the answers.
 [[nodiscard]] std::string end_of_message(const RowsCommand& command, std::string_view beginning);
 
@@ -67,6 +70,10 @@ filtered_lines(std::string_view text,
 /// @param has_answers rows before that line were answered
 [[nodiscard]] std::vector<std::vector<Mend>> row_mends(const RowsCommand& command, std::string_view beginning,
                                                        std::size_t line, bool is_guess, bool has_answers);
+
+/// The same of a row whose numbers are no attitude: other columns, by their names.
+[[nodiscard]] std::vector<std::vector<Mend>> name_mends(const RowsCommand& command, std::string_view beginning,
+                                                        std::size_t line);
 
 /// The same of the REFERENCE: the columns of a file without a header, which are those of a project's or of the FILE.
 /// @param text the beginning of the FILE

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "../grammar/column_names.hpp"
@@ -30,8 +31,12 @@ std::vector<std::string> names_between(const std::string& first, const std::stri
     const auto size = static_cast<std::size_t>(rest.rend() - back);
     const std::string from(rest.substr(0, size));
     const std::string to(rest_of_last.substr(0, static_cast<std::size_t>(rest_of_last.rend() - other_back)));
-    const bool are_indices = is_index(from) && is_index(to) && to.size() < 3;
-    const bool are_letters = from.size() == 1 && to.size() == 1 && is_alphanumeric(from[0]) && is_alphanumeric(to[0]);
+    const bool are_indices =
+        is_index(from) && is_index(to) && from.size() < 3 && to.size() < 3 && (from[0] != '0' || from.size() == 1);
+    const auto is_letter = [](const std::string& text) {
+        return text.size() == 1 && is_alphanumeric(text[0]) && !is_index(text);
+    };
+    const bool are_letters = is_letter(from) && is_letter(to);
     if ((!are_indices && !are_letters) || begin == 0) {
         return {};
     }
@@ -48,11 +53,12 @@ std::vector<std::string> names_between(const std::string& first, const std::stri
 
 /// A LIST with all names where it has a range of them; the same without.
 std::vector<std::string> without_ranges(const std::vector<std::string_view>& items) {
+    constexpr std::size_t longest = 200;
     std::vector<std::string> names;
     for (const std::string_view item : items) {
         std::vector<std::string> between;
-        for (auto at = item.find_first_of("-:"); at != std::string_view::npos && between.empty();
-             at = item.find_first_of("-:", at + 1)) {
+        for (auto at = item.size() < longest ? item.find_first_of("-:") : std::string_view::npos;
+             at != std::string_view::npos && between.empty(); at = item.find_first_of("-:", at + 1)) {
             between = is_index(item.substr(0, at))
                           ? between
                           : names_between(std::string(item.substr(0, at)), std::string(item.substr(at + 1)));
@@ -64,26 +70,36 @@ std::vector<std::string> without_ranges(const std::vector<std::string_view>& ite
 }
 
 /// Those of the names that are the numbers of a row; empty if these are not all there.
-std::vector<std::string> names_of_numbers(const std::vector<std::string>& names, const stream::RowNumbers& numbers) {
+std::vector<std::string> names_of_numbers(std::vector<std::string> names, const stream::RowNumbers& numbers) {
     std::vector<std::string> chosen;
     for (const Part& part : parts_of(numbers)) {
         const auto time = std::ranges::find_if(names, is_name_of_time);
-        const auto known = part.is_kept ? std::nullopt : find_names(part, names);
-        if (part.is_kept ? time == names.end() : !known) {
+        auto known = find_names(part, names);
+        if (part.is_kept && time != names.end()) {
+            known = KnownNames{{static_cast<std::size_t>(time - names.begin())}};
+        }
+        if (!known) {
             return {};
         }
-        const auto own = part.is_kept ? std::vector{*time} : known->of(names);
-        chosen.insert(chosen.end(), own.begin(), own.end());
+        for (const std::size_t place : known->places) {
+            chosen.push_back(std::exchange(names[place], ""));
+        }
     }
     return chosen;
 }
 
-/// The column of times in the FILE: the only one with such a name, or else the first; empty if that is not known.
-std::string column_of_time(const CommandOptions& options, bool are_indices) {
+/// The column of times in the FILE: the only one with such a name; without a header the first, if the others follow it.
+std::string column_of_time(const CommandOptions& options, const std::vector<std::string_view>& items) {
     const auto bytes = first_bytes(options.files.empty() ? options.input.text() : options.files[0]);
     const auto rows = bytes ? simple_rows(*bytes) : std::nullopt;
-    const auto times = rows ? filtered(rows->names, is_name_of_time) : std::vector<std::string>();
-    return are_indices ? "1" : times.size() == 1 ? times[0] : "";
+    if (!rows || (!rows->has_header() && !items[0].starts_with('2'))) {
+        return "";
+    }
+    const auto time = std::ranges::find_if(rows->names, is_name_of_time);
+    if (std::ranges::count_if(rows->names, is_name_of_time) > 1 || (rows->has_header() && time == rows->names.end())) {
+        return "";
+    }
+    return is_index(items[0].substr(0, 1)) ? fmt::to_string(time - rows->names.begin() + 1) : *time;
 }
 
 } // namespace
@@ -104,12 +120,11 @@ std::vector<Mend> with_other_columns(const CommandOptions& options, const Option
         return own.empty() ? std::vector<Mend>() : with(own);
     }
     const Option* const differences = options.find("--differences");
-    if (differences != nullptr && !differences->given() && numbers.attitude && count <= numbers.attitude->size() + 1) {
+    if (differences != nullptr && !differences->given() && numbers.attitude &&
+        find_names(*numbers.attitude, names)) { // of attitudes alone, perhaps with a time
         return {{{{{Edit::at_end}, 0, {"--differences"}}}}};
     }
-    const bool are_indices =
-        std::ranges::all_of(items, [](std::string_view item) { return is_index(item.substr(0, 1)); });
-    const std::string time = numbers.kept + count == numbers.names.size() ? column_of_time(options, are_indices) : "";
+    const std::string time = numbers.kept + count == numbers.names.size() ? column_of_time(options, items) : "";
     if (time.empty() || std::ranges::count(names, time) > 0) {
         return {};
     }

@@ -69,13 +69,13 @@ public:
             (is_command(text.substr(0, text.find(' '))) && options_->begin > 0)) {
             return {};
         }
+        const bool is_of_rotate = options_->command_name() == "rotate";
         const Option* const columns = options_->find("--columns");
-        if (text == "@ARG" && columns != nullptr && columns->given() && !is_value(argument_)) { // of a vector
+        if (text == "@ARG" && is_of_rotate && columns != nullptr && columns->given() && !is_value(argument_)) { // names
             return {{{{{at_}, is_joined_ ? std::size_t{1} : 2},
                       OptionSet::changing(*columns, columns->text() + "," + argument_)}}};
         }
         const std::size_t listed = has("@ARG") ? size_of_list() : 1;
-        const bool is_of_rotate = options_->command_name() == "rotate";
         if (is_spec(text) && argument_.find(',') != std::string::npos && !is_value(argument_)) { // --quat a,b,c,d
             return {{{{{at_}, is_joined_ ? std::size_t{1} : 2, {"-f", text, "--columns", argument_}}}}};
         }
@@ -220,9 +220,9 @@ private:
                 continue;
             }
             for (const std::string& spec : filtered(with_modifier(option->text(), modifier), is_spec)) {
-                if (is_inverse && own != nullptr && find_project(own->text()) != nullptr &&
-                    are_same(own->text(), spec)) {
-                    return {}; // the project's numbers are inverses already
+                const bool is_of_project = own != nullptr && find_project(own->text()) != nullptr;
+                if (is_inverse && (are_same(option->text(), spec) || (is_of_project && are_same(own->text(), spec)))) {
+                    return {}; // its numbers are inverses already
                 }
                 mends.push_back(mend);
                 mends.back().edits.push_back(OptionSet::setting(*option, spec));
@@ -367,16 +367,19 @@ std::vector<Mend> with_specs_of_others(const OptionSet& options) {
 }
 
 std::vector<Mend> with_second_options(const OptionSet& options) {
-    constexpr std::array<std::pair<const char*, const char*>, 4> seconds{{{"--columns", "--reference-columns"},
+    constexpr std::array<std::pair<const char*, const char*>, 5> seconds{{{"--columns", "--reference-columns"},
+                                                                          {"--from", "--by"},
                                                                           {"--from", "--to"},
                                                                           {"--key", "--reference-key"},
                                                                           {"--time-unit", "--reference-time-unit"}}};
     Mend mend;
+    const std::string_view not_sought =
+        options.find("--by") == nullptr ? "--by" : "--to"; // compose's -t is the result's
     for (const auto& [name, of_reference] : seconds) {
         const Option* const option = options.find(name);
         const Option* const second = options.find(of_reference);
         if (option != nullptr && option->texts.size() == 2 && second != nullptr && !second->given() &&
-            options.find("--reference-columns") != nullptr &&
+            options.find("--reference-columns") != nullptr && second->name() != not_sought &&
             (option->name() != "--from" || is_spec(option->texts[1]))) {
             Edit edit = OptionSet::changing(*option, "");
             edit.by = {std::string(second->name()), option->texts[1]};

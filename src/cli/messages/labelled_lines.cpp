@@ -138,7 +138,12 @@ std::vector<LinePart> parts_of_line(const std::string& line) {
                 --begin;
             }
             const std::string text = line.substr(begin, end - begin);
-            parts.push_back({begin, text.substr(0, text.find_last_not_of(" ,;") + 1), line.substr(begin, i - begin)});
+            const std::size_t before = begin > 0 ? line.find_last_not_of(' ', begin - 1) : std::string::npos;
+            const bool is_alone =
+                before == std::string::npos ||
+                (!is_letter(line[before]) && (before + 1 < begin || (line[before] != '.' && line[before] != '-')));
+            const std::string label = is_alone ? line.substr(begin, i - begin) : "part of a longer one";
+            parts.push_back({begin, text.substr(0, text.find_last_not_of(" ,;") + 1), label});
             end = begin;
         }
     }
@@ -195,7 +200,17 @@ private:
             !named.empty()) {
             return list_of_columns(named);
         }
-        for (const LinePart& part : is_ascii&& line.size() < longest ? parts_of_line(line) : std::vector<LinePart>()) {
+        const auto parts = is_ascii && line.size() < longest ? parts_of_line(line) : std::vector<LinePart>();
+        const auto is_named = [this](const LinePart& part) {
+            const auto named = parse_spec(lower(part.label));
+            const auto* const spec = std::get_if<Spec>(&named);
+            return spec != nullptr && numbers_->attitude && spec->name == numbers_->attitude->name;
+        };
+        const bool is_only = std::ranges::count_if(parts, is_named) == 1;
+        for (const LinePart& part : parts) {
+            if (!part.label.empty() && !(is_only && is_named(part))) {
+                continue;
+            }
             const std::size_t before = words_in(numbers_alone(line.substr(0, part.begin))).size();
             const std::string alone = numbers_alone(part.text);
             std::string probe; // each number is its index
@@ -212,12 +227,8 @@ private:
             if (means_other) { // what stands before a bracket counts
                 return std::nullopt;
             }
-            // in the middle of a line only a pose tells what it is
-            const auto named = parse_spec(lower(part.label));
-            const auto* const spec = std::get_if<Spec>(&named);
-            const bool is_named = spec != nullptr && numbers_->attitude && spec->name == numbers_->attitude->name;
-            const bool is_known =
-                part.text == line || is_named || (part.label.empty() && count > numbers_->names.size());
+            // in the middle of a line only a pose, or the SPEC's own name, tells what it is
+            const bool is_known = part.text == line || !part.label.empty() || count > numbers_->names.size();
             if (values && !values->has_other_label && is_known) {
                 std::ranges::replace(values->row, ' ', ',');
                 return values->row;

@@ -56,23 +56,28 @@ constexpr auto filters = std::to_array<Filter>({
          std::erase(made, '"');
          return made;
      }},
-    {"sed -E 's/^ *- *[[]?//; s/]//g'", // a list of YAML
+    {"sed -E 's/^ *-( +[[]?|[[])//; s/]//g'", // a list of YAML
      [](const std::string& text) {
-         return filtered_lines(text, [](std::size_t, const std::string& line) {
+         bool is_list = true;
+         const std::string made = filtered_lines(text, [&is_list](std::size_t, const std::string& line) {
              const std::size_t mark = std::min(line.find_first_not_of(' '), line.size());
              const std::size_t begin = std::min(line.find_first_not_of(' ', mark + 1), line.size());
-             std::string made = line;
-             if (line.compare(mark, 1, "-") == 0) {
-                 made.erase(0, begin + (line.compare(begin, 1, "[") == 0 ? 1 : 0));
-             }
-             std::erase(made, ']');
-             return made;
+             const bool is_bracket = line.compare(begin, 1, "[") == 0;
+             is_list = is_list && line.compare(mark, 1, "-") == 0 && (begin > mark + 1 || is_bracket);
+             std::string own = line.substr(begin + (is_bracket ? 1 : 0));
+             std::erase(own, ']');
+             return own;
          });
+         return is_list ? made : text;
      }},
-    {"cut -d '*' -f 1", // the check sum of NMEA
+    {"sed -E 's/[*][0-9A-F]{2}$//'", // the check sum of NMEA
      [](const std::string& text) {
-         return filtered_lines(text,
-                               [](std::size_t, const std::string& line) { return line.substr(0, line.find('*')); });
+         return filtered_lines(text, [](std::size_t, const std::string& line) {
+             const std::size_t at = line.size() - std::min<std::size_t>(line.size(), 3);
+             const bool has_sum = line.size() > 3 && line[at] == '*' &&
+                                  line.find_first_not_of("0123456789ABCDEF", at + 1) == std::string::npos;
+             return has_sum ? line.substr(0, at) : line;
+         });
      }},
 });
 
@@ -84,7 +89,9 @@ bool is_zero(std::string_view field) {
 /// Names of which some stand twice, each with a suffix that those between two repetitions share: those of two bodies,
 /// or of a rotation and a position.
 std::vector<std::string> told_apart(std::vector<std::string> names) {
-    const std::set<std::string> distinct(names.begin(), names.end());
+    if (std::set<std::string>(names.begin(), names.end()).size() == names.size()) {
+        return names;
+    }
     std::set<std::string> run; // since a name came again
     std::size_t runs = 0;
     for (std::string& name : names) {
@@ -92,7 +99,7 @@ std::vector<std::string> told_apart(std::vector<std::string> names) {
             run = {name};
             ++runs;
         }
-        name += distinct.size() < names.size() && !name.empty() ? fmt::format("\x01{}", runs) : "";
+        name += name.empty() ? "" : fmt::format("\x01{}", runs);
     }
     return names;
 }
@@ -101,12 +108,18 @@ std::vector<std::string> told_apart(std::vector<std::string> names) {
 struct Header {
     std::vector<std::string> names;
     KnownNames known;
+    bool is_row = true; ///< otherwise each name has a line
+
+    [[nodiscard]] std::string list() const {
+        return list_of_columns(known.places, is_row ? names : std::vector<std::string>());
+    }
 };
 /// The last of rows that has them, perhaps behind the mark of a comment.
-std::optional<Header> header_among(std::span<const Row> rows, const Spec& spec) {
+/// @param sought a Spec or a Part
+std::optional<Header> header_among(std::span<const Row> rows, const auto& sought) {
     for (std::size_t i = rows.size(); i-- > 0;) {
         const auto names = rows[i].is_row ? rows[i].names() : rows[i].without_mark().names();
-        if (const auto known = find_names(spec, names)) {
+        if (const auto known = find_names(sought, names)) {
             return Header{names, *known};
         }
     }
@@ -143,7 +156,7 @@ public:
             std::ranges::none_of(above->known.of(rows_[at_].names()), has_digit)) {
             return {}; // a row of its header whose numbers are missing: what passes over both would lose names
         }
-        const auto first = first_row();
+        const auto first = has_answers ? std::ranges::find_if(std::as_const(rows_), &Row::has_numbers) : first_row();
         offer_named_kinds();
         if (first != rows_.end()) {
             offer_every_second(static_cast<std::size_t>(first - rows_.begin()));
@@ -192,6 +205,14 @@ public:
         return std::move(mends_);
     }
 
+    /// The columns that a header names, for a row whose numbers are no attitude.
+    [[nodiscard]] std::vector<std::vector<Mend>> mends_by_names() {
+        if (const auto above = at_ < rows_.size() && spec_ ? header_above(at_) : std::nullopt) {
+            offer({setting("--columns", above->list())});
+        }
+        return std::move(mends_);
+    }
+
 private:
     [[nodiscard]] std::optional<Edit> setting(std::string_view option, const std::string& argument) const {
         const Option* const found = command_->line->find(option);
@@ -215,21 +236,21 @@ private:
         return first == rows_.end() ? std::ranges::find_if(rows_, &Row::has_numbers) : first;
     }
     [[nodiscard]] std::optional<Header> header_above(std::size_t row) const {
+        const auto parts = parts_of(input_.numbers);
+        const auto part = std::ranges::find_if(parts, [](const Part& each) { return each.attitude.has_value(); });
+        if (part == parts.end()) {
+            return std::nullopt;
+        }
         const auto above = std::span(rows_).first(row);
         const std::size_t size = row < rows_.size() ? rows_[row].fields.size() : 0;
-        if (const auto lines = above.last(std::min(size, row)); size > 1 && lines.size() == size) {
-            std::vector<std::string> names; // of STAR files, a line each: _rlnAngleRot #3
-            for (std::size_t i = 0; i < size; ++i) {
-                const auto& fields = lines[i].fields;
-                const bool is_name =
-                    fields.size() == 2 && fields[0].starts_with('_') && fields[1] == fmt::format("#{}", i + 1);
-                names.emplace_back(is_name ? fields[0] : "");
-            }
-            if (const auto known = spec_ ? find_names(*spec_, names) : std::nullopt) {
-                return Header{names, *known};
-            }
+        std::vector<std::string> names; // of STAR files, a line each: _rlnAngleRot #3
+        for (const Row& line : above.last(std::min(size, row))) {
+            const bool is_name = line.fields.size() == 2 && line.fields[0].starts_with('_') &&
+                                 line.fields[1] == fmt::format("#{}", names.size() + 1);
+            names.emplace_back(is_name ? line.fields[0] : "");
         }
-        return spec_ ? header_among(above, *spec_) : std::nullopt;
+        const auto known = names.size() == size ? find_names(*part, names) : std::nullopt;
+        return known ? Header{names, *known, false} : header_among(above, *part);
     }
     /// Those offered last are as good as each other.
     void join_groups(std::size_t first) {
@@ -265,8 +286,7 @@ private:
         const bool is_alone = spec_ && spec_->size() == count_;
         if (const auto above = is_alone ? header_above(row) : std::nullopt) {
             const bool is_from_one = above->known.of(above->names)[0].find('1') != std::string::npos;
-            offer_in_both_orders(setting("--columns", list_of_columns(above->known.places, above->names)),
-                                 above->known.decides || !is_from_one);
+            offer_in_both_orders(setting("--columns", above->list()), above->known.decides || !is_from_one);
             return above->names.size() == fields.size();
         }
         if (const std::string numbers = numbers_among(fields); !numbers.empty()) {
@@ -404,7 +424,7 @@ private:
 
     /// Offers rows of which each is several lines: matrices, perhaps of 3x4 or 4x4; and one of single numbers.
     void offer_joined_lines() {
-        const auto lines = filtered(rows_, [](const Row& row) { return !stream::is_blank(row.line.text); });
+        const auto lines = filtered(rows_, [](const Row& row) { return !row.line.text.empty(); });
         const std::size_t width = lines.empty() ? 0 : lines[0].fields.size();
         const auto is_like_first = [&](const Row& row) { return row.has_numbers && row.fields.size() == width; };
         const bool is_matrix = spec_ && spec_->name == RepresentationId::dcm && width > 1;
@@ -412,7 +432,8 @@ private:
                               is_zero(lines[3].fields[0]) && is_zero(lines[3].fields[1]);
         const std::size_t height = !is_matrix ? count_ : is_whole ? 4 : 3;
         if (!spec_ || !(is_matrix ? width == 3 || width == 4 : width == 1 && lines.size() == height) ||
-            lines.size() % height != 0 || !std::ranges::all_of(lines, is_like_first)) {
+            lines.size() % height != 0 || !std::ranges::all_of(lines, is_like_first) ||
+            text_.find('\r') != std::string_view::npos) {
             return;
         }
         const bool is_comma = lines[0].delimiter.text() == ',';
@@ -481,14 +502,19 @@ private:
     /// Offers the rows before an end that has no numbers.
     void offer_rows_before() {
         const auto size = static_cast<std::size_t>(rows_[at_].line.text.data() - text_.data());
-        const bool is_end = std::none_of(rows_.begin() + static_cast<std::ptrdiff_t>(at_), rows_.end(),
-                                         [](const Row& row) { return row.has_numbers; });
+        const bool is_end =
+            std::none_of(rows_.begin() + static_cast<std::ptrdiff_t>(at_), rows_.end(),
+                         [](const Row& row) { return std::ranges::any_of(row.fields, stream::is_number); });
         if (is_end && !is_cut()) {
             offer({}, fmt::format("head -n {}", at_), std::string(text_.substr(0, size)));
         }
     }
     /// Whether more of the input may follow.
-    [[nodiscard]] bool is_cut() const { return text_.size() + 1024 > most_first_bytes; }
+    [[nodiscard]] bool is_cut() const {
+        const char* const path = command_->input.c_str();
+        return stream::File::is_regular(path) ? stream::File(path, stream::File::Mode::read).size() > text_.size()
+                                              : text_.size() > most_first_bytes / 2;
+    }
     /// Offers the rows of a kind whose names a row of another one ends with, as FMT of ArduPilot's logs.
     void offer_named_kinds() {
         const auto kinds = spec_ ? kinds_ : std::vector<std::string>();
@@ -632,6 +658,10 @@ std::vector<std::vector<Mend>> row_mends(const RowsCommand& command, std::string
     const bool is_text = beginning.find('\0') == std::string_view::npos;
     return is_text ? UnreadRows(command, beginning, line, is_guess).mends(has_answers)
                    : numpy_mends(command, beginning);
+}
+
+std::vector<std::vector<Mend>> name_mends(const RowsCommand& command, std::string_view beginning, std::size_t line) {
+    return UnreadRows(command, beginning, line, false).mends_by_names();
 }
 
 std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::string_view text,

@@ -217,9 +217,8 @@ Words meant_specs(const std::string& text, const SpecError& error) {
     Words specs;
     if (const Project* const project = is_name ? nullptr : find_project(error.text); project != nullptr) {
         for (const std::string& each : specs_of(*project)) {
-            const std::string spec = each.substr(0, each.find(' '));
-            if (spec.substr(0, spec.find(':')) == name && !project->is_spec()) { // of several
-                specs.push_back(with_rest(spec));
+            if (each.substr(0, each.find(':')) == name && each.find(' ') == std::string::npos && !project->is_spec()) {
+                specs.push_back(with_rest(each)); // of several, one whose numbers stand in its order
             }
         }
     }

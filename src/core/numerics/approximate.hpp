@@ -98,6 +98,7 @@ ROTCONV_INLINE Fixed select(bool condition, Fixed yes, Fixed no) noexcept {
 }
 ROTCONV_INLINE double to_double(Fixed a) noexcept { return a.hi; }
 /// Each number over the divisor. The quotients are not for sums.
+// NOLINTNEXTLINE(*-avoid-c-arrays): numbers of a row, as everywhere in the core
 template <std::size_t N> ROTCONV_INLINE void divide(Fixed (&numbers)[N], const Fixed& divisor) noexcept {
     const DoubleDouble whole = fast_two_sum(divisor.hi, divisor.lo);
     const double inverse = 1.0 / whole.hi;

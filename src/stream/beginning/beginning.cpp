@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
 #include <utility>
 #include <variant>
 
@@ -73,6 +72,14 @@ bool holds_number(const HeaderLine& line) {
         return is_number(text.substr(text.find_last_of(" \t:=") + 1));
     });
 }
+
+/// Lines from the last to the first. (clang 14 does not take std::views::reverse of this library.)
+struct Backwards {
+    std::span<const Fields> lines;
+
+    [[nodiscard]] auto begin() const { return lines.rbegin(); }
+    [[nodiscard]] auto end() const { return lines.rend(); }
+};
 
 /// The decision on one list of lines.
 class Decision {
@@ -210,7 +217,7 @@ private:
         Beginning made;
         made.positions = options_.columns.positions();
         if (by_name()) {
-            for (const Fields& line : above(row) | std::views::reverse) {
+            for (const Fields& line : Backwards{above(row)}) {
                 auto [header, found] = find_names(line, row);
                 if (!has_all(found)) {
                     continue;
@@ -293,7 +300,7 @@ private:
             }
             return all_[first_].as_header();
         }
-        for (const Fields& line : above(row) | std::views::reverse) {
+        for (const Fields& line : Backwards{above(row)}) {
             if (auto header = header_with_set(line, &row)) {
                 return header;
             }
@@ -301,7 +308,7 @@ private:
         if (const Fields* const comment = comment_above(row, true)) {
             return headers_of(*comment, &row).front();
         }
-        for (const Fields& line : above(row) | std::views::reverse) {
+        for (const Fields& line : Backwards{above(row)}) {
             if (line.is_comment || is_units(line) || is_row(line, row, positions)) {
                 continue;
             }
@@ -316,7 +323,7 @@ private:
     /// The last comment of the row's width: with `has_words` one that is parted by commas, each part one word and its
     /// unit.
     [[nodiscard]] const Fields* comment_above(const Fields& row, bool has_words) const {
-        for (const Fields& line : above(row) | std::views::reverse) {
+        for (const Fields& line : Backwards{above(row)}) {
             const auto headers = line.is_comment ? headers_of(line, &row) : std::vector<HeaderLine>();
             if (headers.empty()) {
                 continue;
@@ -427,7 +434,7 @@ private:
 
     /// Comments alone: one of them may have the names.
     [[nodiscard]] std::optional<Beginning> of_comments() const {
-        for (const Fields& line : all_ | std::views::reverse) {
+        for (const Fields& line : Backwards{all_}) {
             auto [header, found] = find_names(line, line);
             if (auto* positions = std::get_if<Positions>(&found)) {
                 return Beginning{
