@@ -30,11 +30,11 @@ std::string convention_in(std::string_view word) {
 }
 
 std::string_view without_type(std::string_view word) {
-    constexpr std::string_view digits = "0123456789";
+    constexpr std::string_view decimals = "0123456789";
     const std::size_t end = word.find_last_not_of("dfi") + 1;
-    word = word.substr(0, end > 0 && digits.find(word[end - 1]) != std::string_view::npos ? end : word.size());
+    word = word.substr(0, end > 0 && decimals.find(word[end - 1]) != std::string_view::npos ? end : word.size());
     const std::size_t size = word.find_last_not_of("0123456789xX") + 1;
-    return word.find_first_of(digits, size) == std::string_view::npos ? word : word.substr(0, size);
+    return word.find_first_of(decimals, size) == std::string_view::npos ? word : word.substr(0, size);
 }
 
 std::optional<RepresentationId> named_representation(std::string_view word) {
