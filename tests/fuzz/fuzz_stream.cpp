@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <random>
@@ -18,6 +19,8 @@
 #include <string>
 #include <string_view>
 #include <thread>
+
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -124,7 +127,7 @@ struct Program {
     /// It serves one run.
     [[nodiscard]] bool remembers() const {
         return operation().in_order || operation().is_continuous() || options().fold || options().input.take_count ||
-               command.source != nullptr || command.first_pass;
+               command.source != nullptr || command.prepare;
     }
 };
 
@@ -162,28 +165,17 @@ struct Input {
     std::size_t piece = static_cast<std::size_t>(-1);
 };
 
-/// The program as its first pass makes it; false where there is nothing to go on with.
-bool run_first_pass(const Input& input, Program& own, Result& result) {
-    cli::FirstPass& first = *own.command.first_pass;
-    Options options = own.options();
-    options.operation = first.operation;
-    options.fold = first.fold;
-    TextSource text{std::string(input.text)};
-    TextSource reference{std::string(input.reference)};
-    const RunResult ending = run(
-        text, nullptr, options, [](const Event&) {}, own.is_paired() ? &reference : nullptr);
-    if (ending.error || ending.stopped) {
-        own.command.options.writes_rows = false;
-        own.command.conclude = nullptr;
-        return true;
-    }
-    auto found = first.conclude();
-    if (const auto* wrong = std::get_if<std::string>(&found)) {
-        result.error = *wrong;
-        return false;
-    }
-    own.command.options.operation = std::get<cli::Operation>(found);
-    return true;
+/// The path of a file with that text: some commands look through their rows twice.
+std::string file_with(std::string_view text, const char* name) {
+    const std::string path = fmt::format("/tmp/rotconv_fuzz_{}_{}", getpid(), name);
+    std::ofstream(path, std::ios::binary) << text;
+    return path;
+}
+
+std::string name_of_command(const std::vector<std::string>& words) {
+    const auto& first = words.front();
+    constexpr std::array commands{"rates", "propagate", "survey", "compare", "compose", "rotate", "identify", "sample"};
+    return std::ranges::count(commands, first) > 0 ? first : "conversion";
 }
 
 constexpr const char* of_reference = " of the reference ";
@@ -193,8 +185,17 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     Options& options = own.command.options;
     options.threads = threads;
     Result result;
-    if (own.command.first_pass && !run_first_pass(input, own, result)) {
-        return result;
+    if (own.command.prepare || name_of_command(words) == "identify") {
+        own.command.input = file_with(input.text, "input");
+        own.command.reference = own.is_paired() ? file_with(input.reference, "reference") : "";
+    }
+    if (const auto wrong = own.command.prepare ? own.command.prepare(own.command) : std::nullopt) {
+        if (!wrong->empty()) {
+            result.error = *wrong;
+            return result;
+        }
+        options.writes_rows = false; // it is run for the messages
+        own.command.conclude = nullptr;
     }
     TextSource text{std::string(input.text)};
     Pieces source(own.command.source ? *own.command.source : text, input.piece);
@@ -235,9 +236,8 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     if (own.command.conclude && result.to_the_end && result.answered > 0) {
         const auto count = static_cast<std::size_t>(std::ranges::count_if(
             result.failed, [](const std::string& line) { return line.find(of_reference) != std::string::npos; }));
-        const auto look_again = [](const cli::Operation& /*operation*/) {}; // as of a pipe, no row is read again
-        const auto answer = own.command.conclude(
-            own.command, {ending, cli::ExitCode::done, {result.failed.size() - count, count}, look_again});
+        const auto answer =
+            own.command.conclude(own.command, {ending, cli::ExitCode::done, {result.failed.size() - count, count}});
         result.conclusion = answer.text + (answer.holds ? " holds" : "");
     }
     return result;
@@ -252,12 +252,6 @@ std::string argument_of(const std::vector<std::string>& words, std::string_view 
 }
 
 bool has(const std::vector<std::string>& words, std::string_view word) { return std::ranges::count(words, word) > 0; }
-
-std::string name_of_command(const std::vector<std::string>& words) {
-    const auto& first = words.front();
-    constexpr std::array commands{"rates", "propagate", "survey", "compare", "compose", "rotate", "identify", "sample"};
-    return std::ranges::count(commands, first) > 0 ? first : "conversion";
-}
 
 void count_reach(const Result& result, const std::vector<std::string>& words, const Program& program) {
     const std::string command = name_of_command(words);
@@ -334,13 +328,14 @@ fuzz::Calculate calculate_of(const Program& program) {
             kept = static_cast<std::ptrdiff_t>(program.options().input.numbers.kept)](
                const std::vector<double>& numbers,
                const std::vector<std::string>& texts) -> std::optional<std::vector<double>> {
-        const std::vector<double> kept_numbers(numbers.begin(), numbers.begin() + kept);
-        const std::vector<double> others(numbers.begin() + kept, numbers.end());
-        const std::vector<std::string_view> kept_texts(texts.begin(), texts.begin() + kept);
-        const std::size_t line = 1;
+        stream::NumberRows row;
+        row.kept.append(numbers.data(), numbers.data() + kept);
+        row.numbers.append(numbers.data() + kept, numbers.data() + numbers.size());
+        row.keys.assign(texts.begin(), texts.begin() + kept);
+        row.lines = {1};
         std::vector<double> result(operation->width());
         std::vector<RowReport> reports;
-        operation->run({others, {&line, 1}, kept_numbers, kept_texts}, result, reports);
+        operation->run(row, result, reports);
         const bool is_failed = !reports.empty() && reports.front().error != Error::none;
         return is_failed ? std::nullopt : std::optional(result);
     };
@@ -356,7 +351,7 @@ std::optional<fuzz::Rules> rules_of(const std::vector<std::string>& words, const
     const std::string header = argument("--header", "auto");
     const bool is_plain = !program.is_paired() && program.options().writes_rows &&
                           argument("--format", "csv") == "csv" && input.width == 0 && !input.columns.has_names() &&
-                          !program.command.source && !program.command.first_pass;
+                          !program.command.source && !program.command.prepare;
     if (!is_plain || header == "add" || argument("--diagnostics") == "columns" || !argument("--precision").empty() ||
         !argument("--decimals").empty() || has(words, "--differences") || argument("--interpolation") == "cubic" ||
         !argument("--delta").empty()) {
