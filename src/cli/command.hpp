@@ -87,6 +87,8 @@ struct CommandOptions : OptionSet {
     Option help_flag{"-h,--help", "", "Print this help and exit"};
     Option version_flag{"--version", "", "Print the version and exit"}; ///< only without the name of a command
 
+    /// FILE, or the first of two, as it is given; empty: there is none.
+    [[nodiscard]] const std::string& file() const noexcept { return files.empty() ? input.text() : files[0]; }
     /// The mend by which the FILE, or the first of two, is read by a command, and perhaps others behind a | each.
     [[nodiscard]] Mend piped(Mend mend, const std::string& command, std::optional<std::string> text,
                              std::string_view others = {}) const;
@@ -126,6 +128,9 @@ template <class Options> std::unique_ptr<CommandOptions> make_options() { return
 [[nodiscard]] CommandEntry rotate_command();
 /// All of them, the conversion first.
 [[nodiscard]] std::vector<CommandEntry> command_table();
+
+/// Whether a word is the name of one.
+[[nodiscard]] bool is_command(std::string_view word);
 
 /// What follows the options in the help: the words of SPECs, the exit status and examples.
 [[nodiscard]] std::string help_footer();

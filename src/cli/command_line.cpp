@@ -135,10 +135,6 @@ void refuse_compressed(const CommandOptions& operands) {
     }
 }
 
-bool is_command(std::string_view word) {
-    return !word.empty() && std::ranges::count(command_table(), word, &CommandEntry::name) > 0;
-}
-
 /// The command line that is meant by one with `help` or `--list` in front.
 std::vector<std::string> translated(std::vector<std::string> words) {
     const bool is_help = !words.empty() && words[0] == "help" && stream::File::why_unreadable("help") != 0; // no FILE
@@ -193,14 +189,13 @@ std::vector<std::string> words_of(int argc, const char* const* argv) {
 
 Mend CommandOptions::piped(Mend mend, const std::string& command, std::optional<std::string> text,
                            std::string_view others) const {
-    const std::string& file = files.empty() ? input.text() : files[0];
-    mend.pipe = file.empty() || file == "-"
+    mend.pipe = file().empty() || file() == "-"
                     ? command
-                    : fmt::format("{} {}{}", command, command.starts_with("tr ") ? "< " : "", file_in_shell(file));
+                    : fmt::format("{} {}{}", command, command.starts_with("tr ") ? "< " : "", file_in_shell(file()));
     mend.pipe += others;
     if (input.given()) {
         mend.edits.push_back(setting(input, "-"));
-    } else if (!files.empty() && file != "-") {
+    } else if (!files.empty() && file() != "-") {
         mend.edits.push_back(
             {file_words[0], 1, files.size() > 1 ? std::vector<std::string>{"-"} : std::vector<std::string>()});
     }
@@ -270,6 +265,10 @@ std::unique_ptr<CommandOptions> CommandEntry::options() const {
         all->add("More", {&all->version_flag});
     }
     return all;
+}
+
+bool is_command(std::string_view word) {
+    return !word.empty() && std::ranges::count(command_table(), word, &CommandEntry::name) > 0;
 }
 
 std::vector<CommandEntry> command_table() {

@@ -95,9 +95,8 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
         const std::size_t count = in.numbers.names.size() - (selected.key.empty() ? 0 : 1);
         const Option* const option = options.find(selected.option);
         in.columns = parse(selected.list, count, selected.option, subject, [&](std::size_t selects) {
-            return option == nullptr || !option->given()
-                       ? std::vector<Mend>()
-                       : messages::with_other_columns(options, *option, in.numbers, selects);
+            return option == nullptr || !option->given() ? std::vector<Mend>()
+                                                         : column_mends(options, *option, in.numbers, selects);
         });
         if (!selected.key.empty()) {
             in.columns = parse(selected.key + "," + selected.list, count + 1, selected.option, subject);
@@ -242,7 +241,7 @@ RowsCommand RowOptions::rows_command(operations::Operation operation, const std:
     command.has_values = !values.empty();
     command.diagnostics = shown_diagnostics_of(diagnostics);
     command.strict = strict.given();
-    command.input = or_else(files.empty() ? input.text() : files[0], command.input);
+    command.input = or_else(file(), command.input);
     command.output = or_else(output.text(), command.output);
     command.options = {
         .input = input_of(*this, selected, time_unit, numbers, command.subject->text,

@@ -37,4 +37,9 @@ namespace rotconv {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
+/// Whether a text is digits, at least one, and nothing else.
+[[nodiscard]] constexpr bool is_digits(std::string_view text) noexcept {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 } // namespace rotconv

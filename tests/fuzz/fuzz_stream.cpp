@@ -14,6 +14,7 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
@@ -165,12 +166,18 @@ struct Input {
     std::size_t piece = static_cast<std::size_t>(-1);
 };
 
-/// The path of a file with that text: some commands look through their rows twice.
-std::string file_with(std::string_view text, const char* name) {
-    const std::string path = fmt::format("/tmp/rotconv_fuzz_{}_{}", getpid(), name);
-    std::ofstream(path, std::ios::binary) << text;
-    return path;
-}
+/// A file with that text, until it goes: some commands look through their rows twice.
+struct TemporaryFile {
+    std::string path;
+
+    TemporaryFile(std::string_view text, const char* name)
+        : path(fmt::format("/tmp/rotconv_fuzz_{}_{}", getpid(), name)) {
+        std::ofstream(path, std::ios::binary) << text;
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() { std::remove(path.c_str()); }
+};
 
 std::string name_of_command(const std::vector<std::string>& words) {
     const auto& first = words.front();
@@ -185,9 +192,10 @@ Result run_once(const Input& input, const std::vector<std::string>& words, const
     Options& options = own.command.options;
     options.threads = threads;
     Result result;
+    std::optional<TemporaryFile> files[2];
     if (own.command.prepare || name_of_command(words) == "identify") {
-        own.command.input = file_with(input.text, "input");
-        own.command.reference = own.is_paired() ? file_with(input.reference, "reference") : "";
+        own.command.input = files[0].emplace(input.text, "input").path;
+        own.command.reference = own.is_paired() ? files[1].emplace(input.reference, "reference").path : "";
     }
     if (const auto wrong = own.command.prepare ? own.command.prepare(own.command) : std::nullopt) {
         if (!wrong->empty()) {

@@ -39,10 +39,8 @@ inline constexpr std::string_view raw_word = "\x01";
 
 /// Mends of --columns, or --reference-columns, which selects `count` columns, not as many as a row has numbers: names
 /// in ranges, names of other numbers beside them, a time that is missing.
-namespace messages {
-[[nodiscard]] std::vector<Mend> with_other_columns(const CommandOptions& options, const Option& option,
-                                                   const stream::RowNumbers& numbers, std::size_t count);
-} // namespace messages
+[[nodiscard]] std::vector<Mend> column_mends(const CommandOptions& options, const Option& option,
+                                             const stream::RowNumbers& numbers, std::size_t count);
 
 /// The first bytes of a file that can be read again; nothing for others.
 [[nodiscard]] std::optional<std::string> first_bytes(const std::string& path);

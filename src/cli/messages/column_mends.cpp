@@ -8,16 +8,9 @@
 
 #include "../grammar/column_names.hpp"
 #include "answers.hpp"
-#include "messages.hpp"
 
-namespace rotconv::cli::messages {
+namespace rotconv::cli {
 namespace {
-
-constexpr std::string_view all_digits = "0123456789";
-
-bool is_index(std::string_view text) {
-    return !text.empty() && text.find_first_not_of(all_digits) == std::string_view::npos;
-}
 
 /// The names from one to another that differ in a number or a letter alone, such as q0-q3 and rvec_x:rvec_z.
 std::vector<std::string> names_between(const std::string& first, const std::string& last) {
@@ -32,9 +25,9 @@ std::vector<std::string> names_between(const std::string& first, const std::stri
     const std::string from(rest.substr(0, size));
     const std::string to(rest_of_last.substr(0, static_cast<std::size_t>(rest_of_last.rend() - other_back)));
     const bool are_indices =
-        is_index(from) && is_index(to) && from.size() < 3 && to.size() < 3 && (from[0] != '0' || from.size() == 1);
+        is_digits(from) && is_digits(to) && from.size() < 3 && to.size() < 3 && (from[0] != '0' || from.size() == 1);
     const auto is_letter = [](const std::string& text) {
-        return text.size() == 1 && is_alphanumeric(text[0]) && !is_index(text);
+        return text.size() == 1 && is_alphanumeric(text[0]) && !is_digits(text);
     };
     const bool are_letters = is_letter(from) && is_letter(to);
     if ((!are_indices && !are_letters) || begin == 0) {
@@ -59,7 +52,7 @@ std::vector<std::string> without_ranges(const std::vector<std::string_view>& ite
         std::vector<std::string> between;
         for (auto at = item.size() < longest ? item.find_first_of("-:") : std::string_view::npos;
              at != std::string_view::npos && between.empty(); at = item.find_first_of("-:", at + 1)) {
-            between = is_index(item.substr(0, at))
+            between = is_digits(item.substr(0, at))
                           ? between
                           : names_between(std::string(item.substr(0, at)), std::string(item.substr(at + 1)));
         }
@@ -90,7 +83,7 @@ std::vector<std::string> names_of_numbers(std::vector<std::string> names, const 
 
 /// The column of times in the FILE: the only one with such a name; without a header the first, if the others follow it.
 std::string column_of_time(const CommandOptions& options, const std::vector<std::string_view>& items) {
-    const auto bytes = first_bytes(options.files.empty() ? options.input.text() : options.files[0]);
+    const auto bytes = first_bytes(options.file());
     const auto rows = bytes ? simple_rows(*bytes) : std::nullopt;
     if (!rows || (!rows->has_header() && !items[0].starts_with('2'))) {
         return "";
@@ -99,13 +92,13 @@ std::string column_of_time(const CommandOptions& options, const std::vector<std:
     if (std::ranges::count_if(rows->names, is_name_of_time) > 1 || (rows->has_header() && time == rows->names.end())) {
         return "";
     }
-    return is_index(items[0].substr(0, 1)) ? fmt::to_string(time - rows->names.begin() + 1) : *time;
+    return is_digits(items[0].substr(0, 1)) ? fmt::to_string(time - rows->names.begin() + 1) : *time;
 }
 
 } // namespace
 
-std::vector<Mend> with_other_columns(const CommandOptions& options, const Option& option,
-                                     const stream::RowNumbers& numbers, std::size_t count) {
+std::vector<Mend> column_mends(const CommandOptions& options, const Option& option, const stream::RowNumbers& numbers,
+                               std::size_t count) {
     const auto items = split(option.text(), ',');
     const auto names = without_ranges(items);
     const auto with = [&option](const std::vector<std::string>& list) {
@@ -114,7 +107,7 @@ std::vector<Mend> with_other_columns(const CommandOptions& options, const Option
     if (names.size() != items.size()) {
         return with(names);
     }
-    const bool has_indices = std::ranges::any_of(items, is_index);
+    const bool has_indices = std::ranges::any_of(items, is_digits);
     if (count > numbers.names.size()) { // also those of other numbers
         const auto own = has_indices ? std::vector<std::string>() : names_of_numbers(names, numbers);
         return own.empty() ? std::vector<Mend>() : with(own);
@@ -133,4 +126,4 @@ std::vector<Mend> with_other_columns(const CommandOptions& options, const Option
     return with(longer);
 }
 
-} // namespace rotconv::cli::messages
+} // namespace rotconv::cli

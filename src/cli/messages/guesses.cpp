@@ -25,10 +25,6 @@ void add(std::vector<Mend>& mends, const std::vector<Mend>& more) {
     mends.insert(mends.end(), more.begin(), more.end());
 }
 
-bool is_command(std::string_view word) {
-    return !word.empty() && std::ranges::count(command_table(), word, &CommandEntry::name) > 0;
-}
-
 bool are_same(std::string_view a, std::string_view b) {
     const auto first = parse_spec(a);
     const auto second = parse_spec(b);
@@ -366,20 +362,26 @@ std::vector<Mend> with_specs_of_others(const OptionSet& options) {
     return mend.edits.empty() ? std::vector<Mend>() : std::vector<Mend>{mend};
 }
 
+namespace {
+
+/// The option that has the SPEC of the second attitudes, if the command reads such.
+const char* option_of_second_spec(const OptionSet& options) {
+    return options.find("--by") != nullptr ? "--by" : "--to"; // compose's -t is the result's
+}
+
+} // namespace
+
 std::vector<Mend> with_second_options(const OptionSet& options) {
-    constexpr std::array<std::pair<const char*, const char*>, 5> seconds{{{"--columns", "--reference-columns"},
-                                                                          {"--from", "--by"},
-                                                                          {"--from", "--to"},
-                                                                          {"--key", "--reference-key"},
-                                                                          {"--time-unit", "--reference-time-unit"}}};
+    const std::array<std::pair<const char*, const char*>, 4> seconds{{{"--columns", "--reference-columns"},
+                                                                      {"--from", option_of_second_spec(options)},
+                                                                      {"--key", "--reference-key"},
+                                                                      {"--time-unit", "--reference-time-unit"}}};
     Mend mend;
-    const std::string_view not_sought =
-        options.find("--by") == nullptr ? "--by" : "--to"; // compose's -t is the result's
     for (const auto& [name, of_reference] : seconds) {
         const Option* const option = options.find(name);
         const Option* const second = options.find(of_reference);
         if (option != nullptr && option->texts.size() == 2 && second != nullptr && !second->given() &&
-            options.find("--reference-columns") != nullptr && second->name() != not_sought &&
+            options.find("--reference-columns") != nullptr &&
             (option->name() != "--from" || is_spec(option->texts[1]))) {
             Edit edit = OptionSet::changing(*option, "");
             edit.by = {std::string(second->name()), option->texts[1]};
@@ -390,7 +392,7 @@ std::vector<Mend> with_second_options(const OptionSet& options) {
 }
 
 std::vector<Mend> with_specs_of_words(const OptionSet& options, const std::vector<WordEnd>& words) {
-    std::vector<const char*> names{"--from", options.find("--by") != nullptr ? "--by" : "--to"};
+    std::vector<const char*> names{"--from", option_of_second_spec(options)};
     if (options.find("--by") == nullptr && options.find("--within") == nullptr) {
         names.pop_back(); // one attitude is read
     }

@@ -142,8 +142,10 @@ std::vector<LinePart> parts_of_line(const std::string& line) {
             const bool is_alone =
                 before == std::string::npos ||
                 (!is_letter(line[before]) && (before + 1 < begin || (line[before] != '.' && line[before] != '-')));
-            const std::string label = is_alone ? line.substr(begin, i - begin) : "part of a longer one";
-            parts.push_back({begin, text.substr(0, text.find_last_not_of(" ,;") + 1), label});
+            if (is_alone) {
+                parts.push_back(
+                    {begin, text.substr(0, text.find_last_not_of(" ,;") + 1), line.substr(begin, i - begin)});
+            }
             end = begin;
         }
     }

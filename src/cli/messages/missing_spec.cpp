@@ -117,7 +117,7 @@ std::vector<std::string> specs_of_file(const std::string& name, const std::strin
 
 Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
     const Option* const from = options.find("--from");
-    const std::string given = options.files.empty() ? options.input.text() : options.files[0];
+    const std::string& given = options.file();
     const std::string path = given.empty() && options.values.empty() ? stream::File::name_of_input() : given;
     const bool is_identify = options.command_name() == "identify" && !from->given();
     bool lacks_from = is_identify || std::string_view(error.what()).starts_with("--from");

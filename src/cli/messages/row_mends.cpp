@@ -207,7 +207,7 @@ public:
 
     /// The columns that a header names, for a row whose numbers are no attitude.
     [[nodiscard]] std::vector<std::vector<Mend>> mends_by_names() {
-        if (const auto above = at_ < rows_.size() && spec_ ? header_above(at_) : std::nullopt) {
+        if (const auto above = at_ < rows_.size() ? header_above(at_) : std::nullopt) {
             offer({setting("--columns", above->list())});
         }
         return std::move(mends_);
@@ -242,7 +242,7 @@ private:
             return std::nullopt;
         }
         const auto above = std::span(rows_).first(row);
-        const std::size_t size = row < rows_.size() ? rows_[row].fields.size() : 0;
+        const std::size_t size = rows_[row].fields.size();
         std::vector<std::string> names; // of STAR files, a line each: _rlnAngleRot #3
         for (const Row& line : above.last(std::min(size, row))) {
             const bool is_name = line.fields.size() == 2 && line.fields[0].starts_with('_') &&

@@ -13,10 +13,6 @@ namespace {
 
 using What = ColumnError::What;
 
-bool is_digits(std::string_view text) noexcept {
-    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
 /// Reads a 1-based index, at most the number of fields that a line can hold.
 std::optional<std::size_t> index_of(std::string_view text) noexcept {
     std::size_t value = 0;
