@@ -136,7 +136,9 @@ struct Output {
     /// Keeps its memory.
     void clear() {
         bytes.clear();
-        *this = Output{.bytes = std::move(bytes)};
+        batches.clear();
+        events.clear();
+        *this = Output{.bytes = std::move(bytes), .batches = std::move(batches), .events = std::move(events)};
     }
 };
 
