@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <memory>
 
 #include "../numerics/power_of_two.hpp"
 #include "input_batch.hpp"
@@ -68,9 +68,9 @@ void Composition::run(std::span<const double> in, std::span<double> out, std::ve
     const auto run_batch = [&](const double* numbers, std::size_t rows, double* written, std::size_t begin) {
         InputBatch first(first_, numbers, rows, width);
         InputBatch second(second_, numbers + first_.size(), rows, width);
-        std::optional<InputBatch> later;
+        std::unique_ptr<InputBatch> later; // large, and seldom there: an optional one would be cleared
         if (interpolates_) {
-            later.emplace(second_, numbers + to_later, rows, width);
+            later = std::make_unique<InputBatch>(second_, numbers + to_later, rows, width);
             batch.later = later->own();
             batch.fractions = numbers + to_later + second_.size();
             batch.row_size = width;

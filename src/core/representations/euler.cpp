@@ -155,6 +155,10 @@ struct Triple {
     double distance = 0.0;              ///< to the last numbers, squared
 };
 
+/// Below so many squared half turns a triple is the nearest: two outer angles of the other are half a turn or more
+/// away.
+constexpr double near_enough = 0.49;
+
 template <class T> bool choose(const Spec& spec, const double* last, DiagnosticSet diagnostics,
                                std::span<const double> rest, double* v) noexcept {
     const AngleUnit unit = spec.unit;
@@ -176,8 +180,7 @@ template <class T> bool choose(const Spec& spec, const double* last, DiagnosticS
     }
     const double pi = half_turn_in(unit).hi;
     Triple chosen(spec, false, last, v);
-    // Two outer angles of the other triple are half a turn or more away from these.
-    if (chosen.distance >= 0.49 * (pi * pi)) {
+    if (chosen.distance >= near_enough * (pi * pi)) {
         const Triple other(spec, true, last, v);
         chosen = other.distance < chosen.distance ? other : chosen;
     }
@@ -203,6 +206,13 @@ template <class T> bool choose(const Spec& spec, const double* last, DiagnosticS
 
 bool choose_nearest(const Spec& spec, const double* last, DiagnosticSet diagnostics, std::span<const double> rest,
                     double* v) noexcept {
+    const Eigen::Map<Eigen::Vector3d> own(v);
+    const double pi = half_turn_in(spec.unit).hi;
+    const double distance = (Eigen::Map<const Eigen::Vector3d>(last) - own).squaredNorm();
+    if (!diagnostics.has(DiagnosticKind::gimbal_lock) && distance < near_enough * (pi * pi)) { // as nearly all are
+        std::for_each_n(v, 3, [](double& number) { number += 0.0; });                          // -0 becomes 0
+        return true;
+    }
     return in_scalar_of(rest, 3, [&]<class T>(T /*scalar*/) { return choose<T>(spec, last, diagnostics, rest, v); });
 }
 

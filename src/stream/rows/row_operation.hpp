@@ -107,7 +107,7 @@ struct RowOperation {
 /// Rows that were answered together, and their results, of the operation's width() numbers each, nan if the row's
 /// report has an error.
 struct AnsweredRows : NumberRows {
-    std::vector<double> results;
+    Numbers results;
     std::vector<RowReport> reports;
 };
 

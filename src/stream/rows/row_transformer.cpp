@@ -162,7 +162,7 @@ void RowTransformer::finish_batch(std::string_view text, Output& output) {
     write(output);
     if (options_->fold && !read_.parts.lines.empty()) { // operations with a fold answer all rows at once
         output.batches.push_back({std::exchange(static_cast<NumberRows&>(read_.parts), NumberRows()),
-                                  std::exchange(results_, {}), std::exchange(reports_, {})});
+                                  std::exchange(results_, Numbers()), std::exchange(reports_, {})});
     }
 }
 

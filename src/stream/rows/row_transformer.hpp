@@ -89,7 +89,7 @@ private:
     // One batch, reused: once it has grown, nothing is allocated for a row without an error.
     ReadRows read_;
     Buffer made_; ///< the text of a binary row
-    std::vector<double> results_;
+    Numbers results_;
     std::vector<RowReport> reports_; ///< one for each remarkable row
     std::size_t next_report_ = 0;    ///< index of the first report that is not yet written
     std::string partner_;            ///< the fields partner_names of the row

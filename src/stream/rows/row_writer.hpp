@@ -73,12 +73,17 @@ public:
 private:
     void write_csv(Buffer& to, const ConvertedRow& row) const;
     void write_json(Buffer& to, const ConvertedRow& row) const;
+    /// Writes the numbers of a row, each after its key.
+    void write_json_members(Buffer& to, std::span<const double> numbers) const;
+    /// Writes the numbers of each SPEC after its text.
+    void write_json_parts(Buffer& to, std::span<const double> numbers, const std::function<void()>& begin_member) const;
     void write_json_number(Buffer& to, double number, std::size_t column) const;
     void write_pretty(Buffer& to, const ConvertedRow& row) const;
     void write_f64(Buffer& to, const ConvertedRow& row) const;
     const Options* options_;
     const Layout* layout_;
-    std::vector<std::string> json_keys_; ///< keys of the result and the diagnostic columns, in quotes, with a colon
+    std::vector<std::string> json_keys_; ///< of the result and the diagnostic columns, in quotes, ", " to ": "
+    std::size_t size_of_json_keys_ = 0;
     /// A number whose range has an open end: if it is rounded to that end, the other one is written.
     struct OpenEnd {
         std::size_t number = 0; ///< its index in a result
