@@ -15,6 +15,7 @@
 #include "../operations/operations.hpp"
 #include "../stream/bytes/file.hpp"
 #include "../stream/numbers/number_text.hpp"
+#include "grammar/value_text.hpp"
 #include "messages/answers.hpp"
 #include "row_options.hpp"
 
@@ -73,7 +74,12 @@ std::vector<Mend> with_values_in_rows(const CommandOptions& operands) {
 /// Refuses operands that cannot be combined, and FILEs that cannot be read.
 void check(const CommandOptions& operands, std::size_t most_files) {
     const bool has_input = operands.input.given();
-    for (std::size_t at = 0; at < operands.files.size(); ++at) {
+    std::size_t first = 0; // behind labelled numbers, that of a verb: yaw=30 to quat
+    while (first < operands.files.size() && holds_number(operands.files[first])) {
+        ++first;
+    }
+    const bool is_verb = first < operands.files.size() && messages::is_verb(operands.files[first]);
+    for (std::size_t at = is_verb ? first : 0; at < operands.files.size(); ++at) {
         const std::string& file = operands.files[at];
         if (const int error = stream::File::why_unreadable(file.c_str()); error != 0) {
             if (at > 0 && most_files == 1 && file.find_first_of("./") != std::string::npos &&

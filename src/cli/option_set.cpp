@@ -67,7 +67,8 @@ bool has_meaning(std::string_view word) {
         return false; // the label of a number
     }
     return messages::is_verb(word) || messages::is_spec(word) || find_project(word) != nullptr ||
-           (std::ranges::count(word, '2') == 1 && std::ranges::all_of(word, is_alphanumeric));
+           (std::ranges::count(word, '2') == 1 && std::ranges::all_of(word, is_alphanumeric)) ||
+           word.find("-to-") != std::string_view::npos;
 }
 
 SecondName second_name(std::string_view name) {

@@ -115,7 +115,7 @@ constexpr auto project_table = std::to_array<Project>({
     {"vectornav", "vn-100 vn-200", "euler:ZYX:deg", "yaw pitch roll", "ned", "frd", "VectorNav VN-100 user manual", "its quaternion is quat:xyzw"},
     {"sbg", "sbgecom", "rpy EKF_EULER; quat EKF_QUAT", "", "ned", "frd", "sbgECom, sbgEComLogEkf.h", ""},
     // astronautics
-    {"chandra", "ra-dec-roll", "euler:Z-YX:deg", "ra dec roll", "", "", "sot, Quaternion.py", "from 0 to 360 with :positive; its q is quat:xyzw"},
+    {"chandra", "ra-dec-roll radec", "euler:Z-YX:deg", "ra dec roll", "", "", "sot, Quaternion.py", "from 0 to 360 with :positive; its q is quat:xyzw"},
     {"ccsds", "aem apm", "quat:xyzw LAST, and all of 504.0-B-2; quat FIRST; euler:ZYX:deg sequence 321", "", "", "", "CCSDS 504.0-B; Orekit, AttitudeType.java", "for A the reference, B the body and A2B; otherwise the quaternions are :passive"},
     {"stk", "", "quat:xyzw AttitudeTimeQuaternions; quat AttitudeTimeQuatScalarFirst; dcm:passive AttitudeTimeDCM", "", "", "", "STK, IAgEntityAttitudeQuaternion", ""},
     {"gmat", "", "quat:xyzw; dcm:passive; euler:ZYX:deg sequence 321; mrp", "", "", "", "GMAT, AttitudeConversionUtility.cpp", ""},

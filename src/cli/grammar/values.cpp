@@ -413,6 +413,29 @@ private:
     std::string note_;
 };
 
+/// Joins an axis and an angle, each behind its label, to one group of four numbers.
+void join_axis(ValueText& text) {
+    const auto label_of = [&text](std::size_t group) { return std::string_view(text.groups[group].label); };
+    const auto is_angle = [&](const ValueNumber& each) {
+        return is(" angle theta ", each.label.empty() ? label_of(each.group) : each.label);
+    };
+    const auto is_axis = [&](std::size_t group) { return is(" axis n ", label_of(group)); };
+    const auto angle = std::ranges::find_if(text.numbers, is_angle);
+    const auto belongs = [&](const ValueNumber& each) { return is_angle(each) || is_axis(each.group); };
+    if (text.numbers.size() != 4 || std::ranges::count_if(text.numbers, is_angle) != 1 ||
+        !std::ranges::all_of(text.numbers, belongs) ||
+        std::ranges::any_of(text.words, [&](const ValueWord& word) { return is_axis(word.group); })) {
+        return;
+    }
+    char name = 'x';
+    for (ValueNumber& number : text.numbers) {
+        number.label = &number == &*angle     ? "angle"
+                       : number.label.empty() ? std::string("a") + name++
+                                              : "a" + number.label;
+        number.group = angle->group;
+    }
+}
+
 /// The numbers of a text for the parts of a row.
 Numbers numbers_of(const ValueText& text, const std::vector<Part>& parts, std::string_view from, Values& values) {
     if (parts.size() == 1 && !text.numbers.empty()) {
@@ -463,7 +486,10 @@ Values values_of(const std::vector<std::string>& words, std::optional<stream::De
     if (is_row && (are_selected || !may_be_pose)) {
         return values;
     }
-    const ValueText read = parse_values(text);
+    ValueText read = parse_values(text);
+    if (numbers.attitude && numbers.attitude->name == RepresentationId::axis_angle) {
+        join_axis(read);
+    }
     const bool by_place = are_selected || !numbers.attitude; // identify reads numbers as they stand
     if (by_place && !read.words.empty()) {
         throw wrong("{} is not understood beside numbers that are read as they stand", quoted(read.words[0].text));

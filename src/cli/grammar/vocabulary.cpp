@@ -33,8 +33,14 @@ std::string_view without_type(std::string_view word) {
     constexpr std::string_view decimals = "0123456789";
     const std::size_t end = word.find_last_not_of("dfi") + 1;
     word = word.substr(0, end > 0 && decimals.find(word[end - 1]) != std::string_view::npos ? end : word.size());
-    const std::size_t size = word.find_last_not_of("0123456789xX") + 1;
-    return word.find_first_of(decimals, size) == std::string_view::npos ? word : word.substr(0, size);
+    const auto without_number = [decimals](std::string_view text) {
+        return text.substr(0, text.find_last_not_of(decimals) + 1);
+    };
+    const std::string_view first = without_number(word);
+    const bool is_product = first.size() < word.size() && first.size() > 1 &&
+                            lower(first.substr(first.size() - 1)) == "x" &&
+                            decimals.find(first[first.size() - 2]) != std::string_view::npos; // 3x4
+    return is_product ? without_number(first.substr(0, first.size() - 1)) : first;
 }
 
 std::optional<RepresentationId> named_representation(std::string_view word) {

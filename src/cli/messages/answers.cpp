@@ -286,32 +286,40 @@ private:
     static constexpr std::size_t longest = 500;
     static constexpr int deepest = 10;
 
+    static bool has_sequence(const Mend& mend) {
+        return !mend.edits.empty() && std::ranges::any_of(mend.edits[0].by, [](const std::string& word) {
+            return word.find("euler:") != std::string::npos;
+        });
+    }
+    /// @param choice which of the mends was taken where several were as good as each other
     // NOLINTNEXTLINE(misc-no-recursion): as deep as mends that follow each other
-    void follow(const Attempt& attempt, int depth, bool is_choice = false) {
-        if (depth > deepest || found_.size() == most_found || --left_ < 0) {
+    void follow(const Attempt& attempt, int depth, std::optional<std::size_t> choice = {}) {
+        if (depth > deepest || found_.size() >= most_ || --left_ < 0) {
             return;
         }
-        const Outcome outcome = outcome_of(attempt, depth == 0 || depth == deepest);
+        Outcome outcome = outcome_of(attempt, depth == 0 || depth == deepest);
         if (outcome.serves && !attempt.order.empty() && outcome.names != RowNamesKind::own) {
-            follow(attempt.in_order(), depth, is_choice);
+            follow(attempt.in_order(), depth, choice);
             return;
         }
         if (outcome.serves && depth > 0 && !outcome.better.empty()) {
             const Attempt better = attempt.after(Mend{outcome.better});
             if (outcome_of(better, true).serves) {
-                follow(better, deepest, is_choice);
+                follow(better, deepest, choice);
                 return;
             }
         }
         is_of_project_ = is_of_project_ || outcome.is_of_project;
-        if (outcome.serves && depth > 0 && !(is_choice && outcome.names == RowNamesKind::others)) {
+        if (outcome.serves && depth > 0 && !(choice && outcome.names == RowNamesKind::others)) {
             Attempt whole = attempt;
-            whole.words.insert(std::ranges::find(whole.words, "--"), axes_.begin(), axes_.end());
-            const bool has_axes = !axes_.empty() && outcome_of(whole).serves;
+            const auto axes = axes_.empty() ? axes_of_projects(attempt.words) : axes_;
+            whole.words.insert(std::ranges::find(whole.words, "--"), axes.begin(), axes.end());
+            const bool has_axes = !axes.empty() && outcome_of(whole).serves;
             const std::string command = (has_axes ? whole : attempt).command();
             if (command.size() + std::string_view("try: ").size() <= longest && shown(command) == command &&
                 std::ranges::count(found_, command) == 0) {
                 found_.push_back(command);
+                names_decide_ = names_decide_ || outcome.names == RowNamesKind::own;
             }
         }
         // the SPECs of a project are not those that others write in the same words
@@ -319,12 +327,24 @@ private:
                              (outcome.is_of_values && (is_of_project_ || (attempt.has_guess && !found_.empty())));
         for (auto group = outcome.mends.begin(); group != outcome.mends.end() && !is_done; ++group) {
             const std::size_t before = found_.size();
-            for (const Mend& mend : *group) {
-                Attempt next = attempt.after(mend);
-                next.has_guess = attempt.has_guess || outcome.guesses_spec;
-                // rows have no second mend
-                follow(next, outcome.is_tried ? deepest : depth + 1, is_choice || group->size() > 1);
+            if (choice && *choice < group->size() && std::ranges::all_of(*group, has_sequence)) { // the same case
+                std::rotate(group->begin(), group->begin() + static_cast<std::ptrdiff_t>(*choice), group->end());
             }
+            const std::size_t most = most_;
+            const bool is_first_choice = !choice && group->size() > 1;
+            for (const bool one_each : {true, false}) {
+                for (std::size_t i = 0; i < group->size() && (is_first_choice || !one_each); ++i) {
+                    if (one_each && outcome.guesses_spec && names_decide_) {
+                        return;
+                    }
+                    Attempt next = attempt.after((*group)[i]);
+                    next.has_guess = attempt.has_guess || outcome.guesses_spec;
+                    most_ = one_each ? std::min(most, found_.size() + 1) : most;
+                    // rows have no second mend
+                    follow(next, outcome.is_tried ? deepest : depth + 1, is_first_choice ? i : choice);
+                }
+            }
+            most_ = most;
             if (found_.size() > before) {
                 break;
             }
@@ -333,7 +353,9 @@ private:
 
     std::vector<std::string> found_{};
     std::vector<std::string> axes_; ///< options for all
+    std::size_t most_ = most_found; ///< of the commands, so far
     int left_ = 100;                ///< attempts
+    bool names_decide_ = false;     ///< those of the rows are the SPEC's: no other is meant
     bool is_of_project_ = false;    ///< the command names a project that has several SPECs
 };
 

@@ -72,7 +72,7 @@ public:
                       OptionSet::changing(*columns, columns->text() + "," + argument_)}}};
         }
         const std::size_t listed = has("@ARG") ? size_of_list() : 1;
-        if (is_spec(text) && argument_.find(',') != std::string::npos && !is_value(argument_)) { // --quat a,b,c,d
+        if (is_spec(text) && argument_.find(',') != std::string::npos && !holds_number(argument_)) { // --quat a,b,c,d
             return {{{{{at_}, is_joined_ ? std::size_t{1} : 2, {"-f", text, "--columns", argument_}}}}};
         }
         if (is_spec(text) && word_.starts_with('-') && from != nullptr && !is_joined_) {
@@ -121,7 +121,12 @@ private:
         if (is_joined_ && !takes_argument && !by.empty()) {
             by.back() += "=" + argument_;
         }
-        if (unit_of_word(modifier) == "rad") { // which they are without -d and :deg
+        const std::string_view unit = unit_of(modifier); // also of rates
+        if (unit == "deg" && from == nullptr) {          // angular velocities
+            by.emplace_back("-d");
+            return {mend};
+        }
+        if (unit == "rad") { // which they are without -d and :deg
             const bool are_degrees = std::ranges::any_of(options_->words, [](const std::string& word) {
                 return word == "-d" || word == "--degrees" || word.find(":deg") != std::string::npos;
             });
@@ -201,7 +206,11 @@ private:
         return {made};
     }
     /// Also with a modifier of one of the SPECs, but an inverse of the one that is written.
-    [[nodiscard]] std::vector<Mend> with(const Mend& mend, const std::string& modifier) const {
+    [[nodiscard]] std::vector<Mend> with(const Mend& mend, std::string modifier) const {
+        const Meaning* const meaning = find_meaning(modifier);
+        if (meaning != nullptr && meaning->instead.starts_with(':') && meaning->instead != ":ARG") { // --scalar last
+            modifier = meaning->instead.substr(1);
+        }
         const bool is_inverse = modifier == "passive";
         const Option* const own = options_->find("--from");
         if (is_preset(modifier) && own != nullptr && !own->given()) { // it is said of the numbers that are read
@@ -215,7 +224,11 @@ private:
             if (option == nullptr || !option->given() || (is_inverse && !mends.empty())) {
                 continue;
             }
-            for (const std::string& spec : filtered(with_modifier(option->text(), modifier), is_spec)) {
+            Words specs = filtered(with_modifier(name_of_angles(*option), modifier), is_spec);
+            if (specs.empty() && find_project(modifier) != nullptr) { // --convention stk
+                specs = filtered(meant(fmt::format("{}-{}", modifier, option->text()), {}), is_spec);
+            }
+            for (const std::string& spec : specs) {
                 const bool is_of_project = own != nullptr && find_project(own->text()) != nullptr;
                 if (is_inverse && (are_same(option->text(), spec) || (is_of_project && are_same(own->text(), spec)))) {
                     return {}; // its numbers are inverses already
@@ -224,7 +237,20 @@ private:
                 mends.back().edits.push_back(OptionSet::setting(*option, spec));
             }
         }
+        if (mends.empty() && own != nullptr && !own->given() && EulerSequence::parse(modifier)) {
+            for (const std::string& spec : with_modifier("euler", modifier)) {
+                mends.push_back(mend);
+                mends.back().edits.front().by = {"-f", spec};
+            }
+        }
         return mends;
+    }
+    /// The option's SPEC; euler for words that mean angles of any sequence.
+    static std::string name_of_angles(const Option& option) {
+        const Meaning* const meaning = find_meaning(option.text());
+        const bool is_euler =
+            lower(option.text()).ends_with("euler") || (meaning != nullptr && meaning->instead.starts_with("euler:"));
+        return is_euler ? "euler" : option.text();
     }
 
     const OptionSet* options_;
@@ -234,19 +260,22 @@ private:
     bool is_joined_ = false;
 };
 
-/// A word such as rpy2quat.
+/// A word such as rpy2quat or px4-to-ros.
 std::vector<Mend> converter_meant(const std::string& word, const Replaced& replaced) {
-    const auto two = word.find('2');
+    const std::string_view mark = word.find("-to-") != std::string::npos ? "-to-" : "2";
+    const auto two = word.find(mark);
     std::vector<Mend> mends;
-    if (two == std::string::npos || two == 0 || !std::ranges::all_of(word, is_alphanumeric)) {
+    if (two == std::string::npos || two == 0 || (mark == "2" && !std::ranges::all_of(word, is_alphanumeric))) {
         return mends;
     }
     const auto names_of_one = [](const std::string& name) {
-        return name == "e" || lower(name) == "angle" || lower(name) == "eul" ? Words{"euler:ZYX"} : meant(name, {});
+        return find_project(name) != nullptr                                   ? Words{name}
+               : name == "e" || lower(name) == "angle" || lower(name) == "eul" ? Words{"euler:ZYX"}
+                                                                               : meant(name, {});
     };
     const auto of_matlab = [](const std::string& spec) { return spec == "dcm" ? "dcm:passive" : spec; };
     for (const std::string& first : names_of_one(word.substr(0, two))) {
-        for (const std::string& second : names_of_one(word.substr(two + 1))) {
+        for (const std::string& second : names_of_one(word.substr(two + mark.size()))) {
             add(mends, replaced.by(fmt::format("-f {} -t {}", of_matlab(first), of_matlab(second))));
             add(mends, replaced.by(fmt::format("-f {} -t {}", first, second))); // the same but for matrices
         }
@@ -273,6 +302,44 @@ Usage no_such_word(std::string_view what, const Option& option, std::string_view
     return Usage("{} is not a known {} (legal: {})", quoted(text), what, joined(legal, " ")).with(std::move(mends));
 }
 
+namespace {
+
+/// Numbers that are given to options of their names, as VALUEs: --roll 10 --pitch 20 as roll=10 pitch=20.
+/// @param is_known their names are those of a SPEC
+std::vector<Mend> with_labels(const OptionSet& options, bool& is_known) {
+    Mend mend;
+    Words labels;
+    std::string values;
+    for (std::size_t at = options.begin; at < options.words.size() && options.words[at] != "--"; ++at) {
+        const std::string& word = options.words[at];
+        const std::size_t end = std::min(word.find('='), word.size());
+        const bool is_joined = end < word.size();
+        const std::string name = word.substr(0, end);
+        const std::string argument = is_joined                       ? word.substr(end + 1)
+                                     : at + 1 < options.words.size() ? options.words[at + 1]
+                                                                     : "";
+        if (name.starts_with("--") && is_value(argument) && !options.knows(name) && !is_spec(name.substr(2))) {
+            const bool is_list = argument.find(',') != std::string::npos;
+            values += fmt::format("{}{}={}{}{}", values.empty() ? "" : " ", name.substr(2), is_list ? "[" : "",
+                                  argument, is_list ? "]" : "");
+            mend.edits.push_back({{at}, is_joined ? std::size_t{1} : 2});
+            labels.push_back(name.substr(2));
+        }
+    }
+    is_known = std::ranges::any_of(all_names(), [&labels](std::string_view each) {
+        const auto spec = parse_spec(each);
+        const auto known = std::holds_alternative<Spec>(spec) ? find_names(std::get<Spec>(spec), labels) : std::nullopt;
+        return known && known->decides && known->places.size() == labels.size();
+    });
+    if (labels.size() < 2) {
+        return {};
+    }
+    mend.edits.push_back({{Edit::at_end}, 0, {values}});
+    return {mend};
+}
+
+} // namespace
+
 Usage no_such_option(const OptionSet& options) {
     const std::string name = options.unknown.substr(0, options.unknown.find('='));
     const std::string bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
@@ -282,8 +349,10 @@ Usage no_such_option(const OptionSet& options) {
             others.emplace_back(each.name.empty() ? "the conversion" : each.name);
         }
     }
-    std::vector<Mend> mends;
-    if (options.words[options.unknown_place.word].starts_with(name)) { // no letter among others
+    bool are_labels = false;
+    std::vector<Mend> mends = with_labels(options, are_labels);
+    if (!are_labels && options.words[options.unknown_place.word].starts_with(name)) { // no letter among others
+        const auto labelled = std::exchange(mends, {});
         const Replaced replaced(options, options.unknown_place.word);
         const auto names = mapped(options.all(), &Option::name);
         const bool has_spec = is_spec(replaced.argument());             // --out quat
@@ -307,6 +376,7 @@ Usage no_such_option(const OptionSet& options) {
         if (mends.empty()) {
             mends = converter_meant(bare, replaced);
         }
+        add(mends, labelled);
     }
     const std::string told = meaning_of_word(name);
     const std::string_view command = options.begin > 0 ? options.command_name() : "the conversion";
@@ -419,7 +489,7 @@ std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at) {
     const Replaced replaced(options, at);
     if (std::string made = word; word.find('\\') != std::string::npos) { // of DICOM
         std::ranges::replace(made, '\\', ' ');
-        const auto numbers = words_in(made);
+        const auto numbers = words_in(made.substr(made.find(':') + 1));
         return std::ranges::all_of(numbers, stream::is_number) ? std::vector<Mend>{{{{{at}, 1, {made}}}}}
                                                                : std::vector<Mend>();
     }
@@ -480,17 +550,48 @@ std::string explain(const SpecError& error) {
                                       : meaning_of_word(error.what == What::no_sequence ? "euler" : error.text));
 }
 
+namespace {
+
+/// The SPEC whose numbers a list names, with the columns where they are: "lat lon alt roll pitch yaw".
+std::vector<Mend> meant_by_names(const Option& option) {
+    std::string text = option.text();
+    std::ranges::replace(text, ',', ' ');
+    const auto names = words_in(text);
+    std::vector<Mend> mends;
+    for (const char* const each : {"quat", "quat:xyzw", "rpy", "ypr", "dcm"}) {
+        const auto known = find_names(std::get<Spec>(parse_spec(each)), names);
+        if (!known || !known->decides) {
+            continue;
+        }
+        Mend mend{{OptionSet::changing(option, each)}};
+        if (names.size() == known->places.size() && std::ranges::is_sorted(known->places)) {
+            return {mend};
+        }
+        if (option.name() == "--from") {
+            mend.edits.push_back({{Edit::at_end}, 0, {"--columns", list_of_columns(known->places)}});
+            mends.push_back(mend);
+        }
+    }
+    mends.resize(std::min<std::size_t>(mends.size(), 1));
+    return mends;
+}
+
+} // namespace
+
 Usage no_such_spec(const Option& option, const std::string& item, const SpecError& error) {
     using What = SpecError::What;
     const Project* const project = error.what == What::unknown_name ? find_project(error.text) : nullptr;
     const std::string rest = item.substr(std::min(item.find(':'), item.size()));
-    std::vector<Mend> mends;
-    for (const std::string& spec : project != nullptr ? specs_of(*project) : meant_specs(item, error)) {
+    const bool is_list = option.text().find(',') != std::string::npos;
+    Words specs = project != nullptr ? specs_of(*project) : meant_specs(item, error);
+    std::vector<Mend> mends = is_list || specs.empty() ? meant_by_names(option) : std::vector<Mend>();
+    specs = mends.empty() ? specs : Words();
+    for (const std::string& spec : specs) {
         const auto words = words_in(spec);
         std::string text = option.text();
         text.replace(text.find(item), item.size(), words.empty() ? "" : words[0] + (project != nullptr ? rest : ""));
         mends.push_back({{OptionSet::changing(option, text)}});
-        if (words.size() > 1) {
+        if (words.size() > 1 && option.name() == "--from") { // columns are those that are read
             mends.back().order.push_back({{Edit::at_end}, 0, {words.begin() + 1, words.end()}});
         }
     }

@@ -278,7 +278,8 @@ private:
                              joined(rows, "\n") + "\n",
                              std::string(line),
                              !is_even,
-                             columns};
+                             columns,
+                             !named.empty()};
     }
 
     const std::vector<std::string_view>* lines_;

@@ -11,12 +11,13 @@ namespace rotconv::cli {
 
 /// Commands of the shell that make rows of lines that also have words: of their numbers alone.
 struct LabelledLines {
-    std::string command; ///< that reads the file
-    std::string others;  ///< behind a |
-    std::string text;    ///< what they make of the lines
-    std::string line;    ///< the first
-    bool is_ragged;      ///< its lines have different counts of numbers
-    std::string columns; ///< of the attitude among the numbers, as a LIST
+    std::string command;   ///< that reads the file
+    std::string others;    ///< behind a |
+    std::string text;      ///< what they make of the lines
+    std::string line;      ///< the first
+    bool is_ragged;        ///< its lines have different counts of numbers
+    std::string columns;   ///< of the attitude among the numbers, as a LIST
+    bool is_named = false; ///< labels say which numbers these are
 };
 
 /// Of the lines that hold an attitude as VALUEs do, such as XP1={X 445,Y 0,Z 790,A 30,B 20,C 10}, those with a word of

@@ -16,6 +16,7 @@
 #include "../../stream/bytes/file.hpp"
 #include "../../stream/numbers/number_text.hpp"
 #include "../grammar/column_names.hpp"
+#include "../grammar/value_text.hpp"
 #include "answers.hpp"
 #include "messages.hpp"
 
@@ -35,7 +36,7 @@ std::vector<std::string> names_of_spec(const std::string& text) {
 
 std::vector<double> numbers_in(std::string text) {
     std::ranges::replace_if(
-        text, [](char c) { return std::string_view(",;[](){}\t\n").find(c) != std::string_view::npos; }, ' ');
+        text, [](char c) { return std::string_view(",;=:[](){}\t\n").find(c) != std::string_view::npos; }, ' ');
     std::vector<double> numbers;
     for (const std::string& word : words_in(text)) {
         double number = 0.0;
@@ -50,10 +51,15 @@ constexpr auto possible_specs =
     std::to_array<std::string_view>({"quat", "quat:xyzw", "rpy", "rotvec", "axis-angle", "dcm", "dcm:passive", "6d",
                                      "5d", "euler:ZYX", "cayley", "mrp"});
 
+/// Whether there are numbers that would be unusual as radians.
+bool any_large(const std::vector<double>& numbers) {
+    constexpr double most_radians = 6.3;
+    return std::ranges::any_of(numbers, [](double number) { return std::abs(number) > most_radians; });
+}
+
 /// The SPECs that have as many numbers, which `said` names with their orders; all where none has.
 std::vector<std::string> specs_of_numbers(const std::vector<double>& numbers, std::string& said) {
-    constexpr double most_radians = 6.3;
-    const bool is_large = std::ranges::any_of(numbers, [](double number) { return std::abs(number) > most_radians; });
+    const bool is_large = any_large(numbers);
     std::vector<std::string> specs;
     std::vector<std::string> told;
     for (const std::string_view text : possible_specs) {
@@ -66,6 +72,34 @@ std::vector<std::string> specs_of_numbers(const std::vector<double>& numbers, st
     }
     said += told.empty() ? "" : fmt::format("; {} are {}", counted(numbers.size(), "number"), joined(told, ", "));
     return specs.empty() ? std::vector<std::string>(possible_specs.begin(), possible_specs.end()) : specs;
+}
+
+/// The SPECs whose numbers VALUEs with these labels are: one of rotconv's own, or else projects'.
+std::vector<std::string> specs_of_labels(const std::vector<std::string>& labels, bool is_large) {
+    std::vector<std::string> specs;
+    for (const std::string_view name : messages::all_names()) {
+        const auto parsed = parse_spec(name);
+        const auto* const spec = std::get_if<Spec>(&parsed);
+        const auto known = spec != nullptr && spec->size() == labels.size() ? find_names(*spec, labels) : std::nullopt;
+        if (known && known->decides && spec->project == nullptr) {
+            return {(is_large ? spec->in_degrees() : *spec).text()};
+        }
+        if (known && known->decides) {
+            specs.emplace_back(name);
+        }
+    }
+    return specs;
+}
+std::vector<std::string> specs_of_labels(const std::string& values, bool is_large) {
+    try {
+        const ValueText text = parse_values(values);
+        return specs_of_labels(mapped(text.numbers, &ValueNumber::label),
+                               is_large && std::ranges::all_of(text.numbers, [](const ValueNumber& number) {
+                                   return number.unit.empty() || number.unit == "deg";
+                               }));
+    } catch (const Usage&) {
+        return {};
+    }
 }
 
 /// The SPECs that a file's names or numbers are; `said` names its columns.
@@ -131,13 +165,16 @@ Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
                 : from != nullptr && is_quat    ? std::vector<std::string>{"rpy:deg", "dcm"}
                                                 : std::vector<std::string>{"quat"};
     } else if (!options.values.empty()) {
-        specs = specs_of_numbers(numbers_in(joined(options.values, " ")), said);
+        const std::string values = joined(options.values, " ");
+        const auto by_count = specs_of_numbers(numbers_in(values), said);
+        specs = specs_of_labels(values, any_large(numbers_in(values)));
+        specs = specs.empty() ? by_count : specs;
     } else if (const auto bytes = path.empty() ? std::optional(stream::File::lines_of_pipe()) : first_bytes(path)) {
         specs = specs_of_file(path.empty() ? "the input" : quoted(path), *bytes, said);
         const auto dot = path.rfind('.');
         const Project* const project = dot == std::string::npos ? nullptr : find_project(path.substr(dot + 1));
         if (project != nullptr && project->is_spec() && specs.size() != 1) { // scan.ctf
-            specs.insert(specs.begin(), std::string(project->text));
+            specs = {std::string(project->text)};
         }
     }
     const bool has_known = is_identify && specs == any_quaternion; // rows are wide enough for a known attitude
@@ -145,11 +182,20 @@ Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
         specs = {"quat"};
         lacks_from = false;
     }
+    std::string of_reference; // as its names say
+    if (const Option* const to = options.find("--to"); options.files.size() == 2 && to != nullptr && !to->given()) {
+        std::string ignored;
+        const auto own = specs_of_file("", first_bytes(options.files[1]).value_or(""), ignored);
+        of_reference = own.size() == 1 ? own[0] : "";
+    }
     auto mends = messages::with_specs_of_words(options, options.value_words);
     mends = mends.empty() ? messages::with_specs_of_others(options) : mends;
     for (const std::string& spec : mends.empty() ? specs : std::vector<std::string>()) {
         const std::size_t place = lacks_from || from == nullptr ? options.begin : from->place.word + 1;
         mends.push_back({{{{place}, 0, {lacks_from ? "-f" : "-t", spec}}}});
+        if (!of_reference.empty() && of_reference != spec) {
+            mends.back().edits.push_back({{Edit::at_end}, 0, {"-t", of_reference}});
+        }
         if (is_identify && !has_known) { // how the numbers are read is what is asked
             mends.back().edits.push_back({{options.begin - 1}});
         }

@@ -25,6 +25,7 @@ public:
           const stream::InputOptions& input)
         : key_(std::move(key)), degrees_(options.degrees.given()), time_option_(time_option.name()),
           time_unit_((time_option.given() ? time_option : options.time_unit).text()),
+          are_selected_(!input.columns.empty()),
           is_named_(input.numbers.names.size(), names_decide && input.columns.empty()),
           parts_(parts_of(input.numbers)) {
         const auto selected = input.columns.names();
@@ -129,6 +130,15 @@ private:
             return fmt::format("'s names are not in the order of {}: each number is read by its name",
                                part.attitude->text());
         }
+        const bool may_be_others = !set && part.attitude && !are_selected_ &&
+                                   !representation(part.attitude->name).has_gimbal_lock; // angles have many names
+        for (const char* const each : {"quat", "rpy", "dcm"}) {
+            const auto other =
+                may_be_others ? find_names(std::get<Spec>(parse_spec(each)), part.of(names)) : std::nullopt;
+            if (other && other->decides) { // of another representation
+                return fmt::format("'s {} are read as they stand: as {}", own, joined(part.names));
+            }
+        }
         const bool is_by_index =
             std::find(is_named_.begin() + begin, is_named_.begin() + end, false) < is_named_.begin() + end;
         const auto others = !set && part.attitude && is_by_index ? find_names(part, header) : std::nullopt;
@@ -170,6 +180,7 @@ private:
     bool degrees_;               ///< angular velocities too
     std::string time_option_;    ///< that names the unit
     std::string time_unit_;      ///< empty: keys have none, and times are in seconds
+    bool are_selected_;          ///< by --columns
     std::vector<bool> is_named_; ///< of each number: its column is not selected by index
     std::vector<Part> parts_;    ///< of a row
 };

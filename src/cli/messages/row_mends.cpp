@@ -48,7 +48,13 @@ struct Filter {
 };
 constexpr auto filters = std::to_array<Filter>({
     {"tr , .",
-     [](const std::string& text) { return text.find('.') == std::string::npos ? replaced(text, ',', '.') : text; }},
+     [](const std::string& text) {
+         bool has_point = false; // of a number
+         for (auto at = text.find('.'); at != std::string::npos; at = text.find('.', at + 1)) {
+             has_point = has_point || (at + 1 < text.size() && text[at + 1] >= '0' && text[at + 1] <= '9');
+         }
+         return has_point ? text : replaced(text, ',', '.');
+     }},
     {R"(tr , '\t')", [](const std::string& text) { return replaced(text, ',', '\t'); }},
     {"tr -d '\"'",
      [](const std::string& text) {
@@ -145,7 +151,7 @@ public:
         if (at_ >= rows_.size()) {
             return {};
         }
-        if (offer_sets()) {
+        if (offer_given_names() || offer_sets()) {
             return std::move(mends_);
         }
         const auto above = header_above(at_);
@@ -259,6 +265,35 @@ private:
         }
     }
 
+    /// Offers the columns whose names without units are those that are selected. @return whether there are such
+    bool offer_given_names() {
+        const auto first = first_row();
+        const auto items = input_.columns.has_names() ? split(command_->line->find("--columns")->text(), ',')
+                                                      : std::vector<std::string_view>();
+        for (auto row = first; row != rows_.begin() && first != rows_.end() && !items.empty();) {
+            --row;
+            const auto names = row->is_row ? row->names() : row->without_mark().names();
+            const auto own = mapped(names, [](const std::string& each) { return name_and_unit(each).first; });
+            std::vector<std::size_t> places;
+            for (const std::string_view item : items) {
+                const auto place = std::ranges::find(own, lower(item));
+                if (std::ranges::count(own, lower(item)) == 1) {
+                    places.push_back(static_cast<std::size_t>(place - own.begin()));
+                }
+            }
+            if (names.size() != first->fields.size() || places.size() != items.size()) {
+                continue;
+            }
+            const auto known = spec_ ? find_names(*spec_, mapped(items, lower)) : std::nullopt;
+            if (!is_guess_ || (known && known->decides)) {
+                offer(
+                    {setting("--columns", list_of_columns(places, row->is_row ? names : std::vector<std::string>()))});
+            }
+            return true;
+        }
+        return false;
+    }
+
     /// Offers the two sets of columns that a header names, at the line at which reading stopped or just above.
     /// @return whether there are several
     bool offer_sets() {
@@ -283,6 +318,19 @@ private:
     /// row has.
     bool offer_columns(std::size_t row) {
         const auto& fields = rows_[row].fields;
+        const auto of_project =
+            spec_ ? columns_of_project(*spec_, fields.size()).positions : std::vector<std::size_t>();
+        const Option* const differences = command_->line->find("--differences");
+        const bool are_rates = differences != nullptr && !differences->given();
+        const bool has_time = are_rates || (input_.numbers.kept == 1 && count_ == spec_->size() + 1);
+        if (!of_project.empty() && of_project.front() > 0 && has_time) {
+            std::vector<std::optional<Edit>> edits{setting("--columns", "1," + list_of_columns(of_project))};
+            if (are_rates) {
+                edits.emplace_back(Edit{{Edit::at_end}, 0, {"--differences"}});
+            }
+            offer(edits);
+            return true;
+        }
         const bool is_alone = spec_ && spec_->size() == count_;
         if (const auto above = is_alone ? header_above(row) : std::nullopt) {
             const bool is_from_one = above->known.of(above->names)[0].find('1') != std::string::npos;
@@ -554,12 +602,11 @@ private:
         const auto is_named = [this](std::string_view line) {
             return lower(line).find(representation(spec_->name).text) != std::string::npos;
         };
-        if (!spec_ || spec_->size() != count_ || from == nullptr ||
-            (is_guess_ && std::ranges::none_of(lines, is_named))) {
+        if (!spec_ || spec_->size() != count_ || from == nullptr) {
             return;
         }
         const auto found = labelled_lines(lines, input_.numbers, from->text());
-        if (found && (!is_guess_ || is_named(found->line))) {
+        if (found && (!is_guess_ || found->is_named || is_named(found->line))) {
             std::vector<std::optional<Edit>> edits{setting("--columns", found->columns)};
             if (found->is_ragged) {
                 edits.emplace_back(Edit{{Edit::at_end}, 0, {"--ragged"}});
@@ -574,11 +621,14 @@ private:
         constexpr std::size_t most_lines = 200;
         constexpr std::size_t longest = 16'384;
         const Option* const from = command_->line->find("--from");
-        if (!spec_ || spec_->size() != count_ || from == nullptr || is_guess_ || rows_.size() > most_lines ||
+        if (!spec_ || spec_->size() != count_ || from == nullptr || rows_.size() > most_lines ||
             text_.size() > longest) {
             return;
         }
         const bool is_matrix = spec_->name == RepresentationId::dcm;
+        if (is_guess_ && !is_matrix) { // which proves itself
+            return;
+        }
         const std::initializer_list<std::size_t> heights = {5, 4, 3, 1}; // of a matrix and its name, or of any attitude
         struct Found {
             std::size_t first;

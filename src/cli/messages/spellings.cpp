@@ -73,6 +73,27 @@ Words specs_of_columns(const std::string& text) {
     return specs;
 }
 
+/// The SPECs of a project that are of a kind, as in unity-euler and kuka-abc.
+Words specs_of_kind(std::string_view text) {
+    const auto begin = text.find_first_of("-_ ");
+    const Project* const project = find_project(text.substr(0, begin));
+    if (begin == std::string_view::npos || project == nullptr) {
+        return {};
+    }
+    const std::string kind(text.substr(begin + 1));
+    const Meaning* const meaning = find_meaning(kind);
+    const bool is_euler = meaning != nullptr && meaning->instead.find("euler:") != std::string_view::npos;
+    const auto named = named_representation(kind);
+    const Words all = project->is_spec() ? Words{std::string(project->text)} : specs_of(*project);
+    return filtered(all, [&](const std::string& each) {
+        const auto parsed = parse_spec(each.substr(0, each.find(' ')));
+        const Spec* const spec = std::get_if<Spec>(&parsed);
+        return spec != nullptr && (is_euler ? representation(spec->name).has_gimbal_lock
+                                   : named  ? spec->name == *named
+                                            : all.size() == 1);
+    });
+}
+
 /// The SPECs whose parts are joined in another way, as in eulZYX, quat_xyzw and "euler 3-1-3 deg".
 Words specs_of_parts(std::string text) {
     std::ranges::replace_if(
@@ -95,7 +116,10 @@ Words specs_of_parts(std::string text) {
         const Meaning* const meaning = find_meaning(part);
         const bool is_euler = meaning != nullptr && meaning->instead.find("euler:") != std::string_view::npos;
         const std::string said = is_euler ? "euler" : convention_in(part);
-        const std::string own = said.empty() ? part : said;
+        const auto named = named_representation(said);
+        const std::string own = said.empty()              ? part
+                                : named && !is_spec(said) ? std::string(representation(*named).text)
+                                                          : said;
         if (EulerSequence::parse(said) && sequences.empty()) {
             sequences = sequences_in(said);
         } else if (is_euler || is_spec(own)) {
@@ -172,6 +196,7 @@ Words meant(std::string_view word, const Legal& legal) {
     if (project != nullptr && !project->specs.empty()) { // one of several
         texts.push_back(fmt::format("-f {}", project->text));
     }
+    texts = texts.empty() ? specs_of_kind(bare) : texts;
     texts = texts.empty() ? specs_of_parts(bare) : texts;
     if (!texts.empty()) {
         return texts;
