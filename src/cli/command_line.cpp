@@ -78,7 +78,8 @@ void check(const CommandOptions& operands, std::size_t most_files) {
     while (first < operands.files.size() && holds_number(operands.files[first])) {
         ++first;
     }
-    const bool is_verb = first < operands.files.size() && messages::is_verb(operands.files[first]);
+    const bool is_verb = first < operands.files.size() && messages::is_verb(operands.files[first]) &&
+                         stream::File::why_unreadable(operands.files[first].c_str()) != 0;
     for (std::size_t at = is_verb ? first : 0; at < operands.files.size(); ++at) {
         const std::string& file = operands.files[at];
         if (const int error = stream::File::why_unreadable(file.c_str()); error != 0) {

@@ -147,19 +147,8 @@ GivenNumbers numbers_of(const Option& option, bool degrees) {
     }
     colon = is_spec_before(end) ? end : colon;
     if (colon == std::string::npos) {
-        std::string numbers = text;
-        std::ranges::replace(numbers, ',', ' ');
-        const auto words = words_in(numbers);
-        std::vector<Mend> mends;
-        for (const char* const each : {"quat", "rpy", "dcm"}) {
-            if (std::ranges::all_of(words, stream::is_number) &&
-                std::get<Spec>(parse_spec(each)).size() == words.size()) {
-                mends.push_back({{OptionSet::changing(option, fmt::format("{}: {}", each, text))}});
-            }
-        }
         throw Usage("{} needs 'SPEC: NUMBERS' in one argument, such as 'quat: 1 0 0 0', not {}", option.name(),
-                    quoted(text))
-            .with(std::move(mends));
+                    quoted(text));
     }
     GivenNumbers read{spec_of(option, text.substr(0, colon), degrees),
                       stream::trimmed(std::string_view(text).substr(colon + 1))};

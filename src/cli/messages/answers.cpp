@@ -26,12 +26,14 @@ namespace {
 /// A command line, and what it reads.
 struct Attempt {
     std::vector<std::string> words;
-    std::string pipe{};                ///< see Mend
-    std::optional<std::string> text{}; ///< the beginning of its input; nothing: not at hand, or in the FILE
-    bool may_read_pipe = false;        ///< nothing else will
-    bool says_radians = false;         ///< as it was given
-    bool has_guess = false;            ///< its SPEC is a guess
-    std::vector<Edit> order{};         ///< see Mend: still to be made
+    std::string pipe{};                   ///< see Mend
+    std::optional<std::string> text{};    ///< the beginning of its input; nothing: not at hand, or in the FILE
+    bool may_read_pipe = false;           ///< nothing else will
+    bool says_radians = false;            ///< as it was given
+    bool has_guess = false;               ///< its SPEC is a guess
+    std::vector<Edit> order{};            ///< see Mend: still to be made
+    std::vector<std::string> axes{};      ///< options for those of the projects that it names, or that were named
+    std::optional<std::size_t> letters{}; ///< which of the mends was taken that are a sequence in both cases
 
     [[nodiscard]] Attempt after(const Mend& mend) const {
         Attempt next = *this;
@@ -263,8 +265,10 @@ std::vector<std::string> axes_of_projects(const std::vector<std::string>& words)
                                   : words[i - 1] == "-t" || words[i - 1] == "--to" ? 1
                                                                                    : 2;
         for (const std::string_view part : which < 2 ? split(words[i], ':') : std::vector<std::string_view>()) {
-            const Project* const project = find_project(part);
-            projects.at(which) = project != nullptr ? project : projects.at(which);
+            for (const std::string_view name : {part.substr(0, part.find_first_of("-_")), part}) { // unity-quat
+                const Project* const project = find_project(name);
+                projects.at(which) = project != nullptr ? project : projects.at(which);
+            }
         }
     }
     return words_in(projects[0] != nullptr && projects[1] != nullptr ? change_of_axes(*projects[0], *projects[1]) : "");
@@ -273,8 +277,9 @@ std::vector<std::string> axes_of_projects(const std::vector<std::string>& words)
 /// Follows mends, one after the other.
 class Search {
 public:
-    explicit Search(const Attempt& wrong) : axes_(axes_of_projects(wrong.words)) {
+    explicit Search(const Attempt& wrong) {
         Attempt dashed = wrong;
+        dashed.axes = axes_of_projects(wrong.words);
         dashed.words = with_dashes(wrong.words);
         follow(dashed, dashed.words == wrong.words ? 0 : 1);
     }
@@ -286,35 +291,37 @@ private:
     static constexpr std::size_t longest = 500;
     static constexpr int deepest = 10;
 
-    static bool has_sequence(const Mend& mend) {
-        return !mend.edits.empty() && std::ranges::any_of(mend.edits[0].by, [](const std::string& word) {
-            return word.find("euler:") != std::string::npos;
-        });
+    /// Whether they are a sequence with letters of both cases.
+    static bool are_sequences(const std::vector<Mend>& group) {
+        return group.size() == 2 && std::ranges::all_of(group, [](const Mend& mend) {
+                   return !mend.edits.empty() && std::ranges::any_of(mend.edits[0].by, [](const std::string& word) {
+                       return word.find("euler:") != std::string::npos;
+                   });
+               });
     }
-    /// @param choice which of the mends was taken where several were as good as each other
+    /// @param is_choice one of several mends was taken that are as good as each other
     // NOLINTNEXTLINE(misc-no-recursion): as deep as mends that follow each other
-    void follow(const Attempt& attempt, int depth, std::optional<std::size_t> choice = {}) {
+    void follow(const Attempt& attempt, int depth, bool is_choice = false) {
         if (depth > deepest || found_.size() >= most_ || --left_ < 0) {
             return;
         }
         Outcome outcome = outcome_of(attempt, depth == 0 || depth == deepest);
         if (outcome.serves && !attempt.order.empty() && outcome.names != RowNamesKind::own) {
-            follow(attempt.in_order(), depth, choice);
+            follow(attempt.in_order(), depth, is_choice);
             return;
         }
         if (outcome.serves && depth > 0 && !outcome.better.empty()) {
             const Attempt better = attempt.after(Mend{outcome.better});
             if (outcome_of(better, true).serves) {
-                follow(better, deepest, choice);
+                follow(better, deepest, is_choice);
                 return;
             }
         }
         is_of_project_ = is_of_project_ || outcome.is_of_project;
-        if (outcome.serves && depth > 0 && !(choice && outcome.names == RowNamesKind::others)) {
+        if (outcome.serves && depth > 0 && !(is_choice && outcome.names == RowNamesKind::others)) {
             Attempt whole = attempt;
-            const auto axes = axes_.empty() ? axes_of_projects(attempt.words) : axes_;
-            whole.words.insert(std::ranges::find(whole.words, "--"), axes.begin(), axes.end());
-            const bool has_axes = !axes.empty() && outcome_of(whole).serves;
+            whole.words.insert(std::ranges::find(whole.words, "--"), attempt.axes.begin(), attempt.axes.end());
+            const bool has_axes = !attempt.axes.empty() && outcome_of(whole).serves;
             const std::string command = (has_axes ? whole : attempt).command();
             if (command.size() + std::string_view("try: ").size() <= longest && shown(command) == command &&
                 std::ranges::count(found_, command) == 0) {
@@ -327,21 +334,28 @@ private:
                              (outcome.is_of_values && (is_of_project_ || (attempt.has_guess && !found_.empty())));
         for (auto group = outcome.mends.begin(); group != outcome.mends.end() && !is_done; ++group) {
             const std::size_t before = found_.size();
-            if (choice && *choice < group->size() && std::ranges::all_of(*group, has_sequence)) { // the same case
-                std::rotate(group->begin(), group->begin() + static_cast<std::ptrdiff_t>(*choice), group->end());
+            const bool has_letters = are_sequences(*group);
+            if (has_letters && attempt.letters == 1U) { // zyz to zyx is zyz to zyx, or ZYZ to ZYX
+                std::swap(group->front(), group->back());
             }
             const std::size_t most = most_;
-            const bool is_first_choice = !choice && group->size() > 1;
+            const bool is_first_choice = !is_choice && group->size() > 1;
             for (const bool one_each : {true, false}) {
+                most_ = most;
                 for (std::size_t i = 0; i < group->size() && (is_first_choice || !one_each); ++i) {
                     if (one_each && outcome.guesses_spec && names_decide_) {
-                        return;
+                        break;
                     }
                     Attempt next = attempt.after((*group)[i]);
                     next.has_guess = attempt.has_guess || outcome.guesses_spec;
+                    next.letters = has_letters && is_first_choice ? std::optional(i) : attempt.letters;
+                    next.axes = attempt.axes.empty() ? axes_of_projects(next.words) : attempt.axes;
                     most_ = one_each ? std::min(most, found_.size() + 1) : most;
                     // rows have no second mend
-                    follow(next, outcome.is_tried ? deepest : depth + 1, is_first_choice ? i : choice);
+                    follow(next, outcome.is_tried ? deepest : depth + 1, is_choice || group->size() > 1);
+                }
+                if (outcome.guesses_spec && names_decide_) {
+                    break;
                 }
             }
             most_ = most;
@@ -352,7 +366,6 @@ private:
     }
 
     std::vector<std::string> found_{};
-    std::vector<std::string> axes_; ///< options for all
     std::size_t most_ = most_found; ///< of the commands, so far
     int left_ = 100;                ///< attempts
     bool names_decide_ = false;     ///< those of the rows are the SPEC's: no other is meant
@@ -430,7 +443,9 @@ std::string answers(const std::vector<std::string>& words, std::optional<std::st
     wrong.may_read_pipe = !beginning;
     wrong.says_radians = std::ranges::any_of(words, [](const std::string& word) {
         const auto parts = parts_of_label(word);
-        return std::ranges::any_of(parts, [](const std::string& part) { return unit_of_word(part) == "rad"; });
+        return std::ranges::any_of(parts, [](const std::string& part) {
+            return unit_of(part.substr(std::min(part.find_first_not_of('-'), part.size()))) == "rad";
+        });
     });
     const Search search(wrong);
     for (const std::string& command : search.found()) {

@@ -121,8 +121,9 @@ private:
         if (is_joined_ && !takes_argument && !by.empty()) {
             by.back() += "=" + argument_;
         }
-        const std::string_view unit = unit_of(modifier); // also of rates
-        if (unit == "deg" && from == nullptr) {          // angular velocities
+        const std::string_view unit = unit_of(modifier);           // also of rates
+        const Option* const initial = options_->find("--initial"); // of propagate
+        if (unit == "deg" && initial != nullptr && !initial->given() && from == nullptr) {
             by.emplace_back("-d");
             return {mend};
         }
@@ -212,6 +213,11 @@ private:
             modifier = meaning->instead.substr(1);
         }
         const bool is_inverse = modifier == "passive";
+        if (is_spec("quat:" + modifier) && modifier.size() == 4 &&
+            (options_->find("--within") != nullptr || options_->find("--by") != nullptr ||
+             options_->find("--initial") != nullptr)) { // an order, of which of the attitudes?
+            return {};
+        }
         const Option* const own = options_->find("--from");
         if (is_preset(modifier) && own != nullptr && !own->given()) { // it is said of the numbers that are read
             return {};
@@ -224,11 +230,7 @@ private:
             if (option == nullptr || !option->given() || (is_inverse && !mends.empty())) {
                 continue;
             }
-            Words specs = filtered(with_modifier(name_of_angles(*option), modifier), is_spec);
-            if (specs.empty() && find_project(modifier) != nullptr) { // --convention stk
-                specs = filtered(meant(fmt::format("{}-{}", modifier, option->text()), {}), is_spec);
-            }
-            for (const std::string& spec : specs) {
+            for (const std::string& spec : filtered(with_modifier(name_of_angles(*option), modifier), is_spec)) {
                 const bool is_of_project = own != nullptr && find_project(own->text()) != nullptr;
                 if (is_inverse && (are_same(option->text(), spec) || (is_of_project && are_same(own->text(), spec)))) {
                     return {}; // its numbers are inverses already
@@ -245,12 +247,10 @@ private:
         }
         return mends;
     }
-    /// The option's SPEC; euler for words that mean angles of any sequence.
+    /// The option's SPEC; euler for a word that means angles of any sequence.
     static std::string name_of_angles(const Option& option) {
         const Meaning* const meaning = find_meaning(option.text());
-        const bool is_euler =
-            lower(option.text()).ends_with("euler") || (meaning != nullptr && meaning->instead.starts_with("euler:"));
-        return is_euler ? "euler" : option.text();
+        return meaning != nullptr && meaning->instead.starts_with("euler:") ? "euler" : option.text();
     }
 
     const OptionSet* options_;
@@ -273,7 +273,9 @@ std::vector<Mend> converter_meant(const std::string& word, const Replaced& repla
                : name == "e" || lower(name) == "angle" || lower(name) == "eul" ? Words{"euler:ZYX"}
                                                                                : meant(name, {});
     };
-    const auto of_matlab = [](const std::string& spec) { return spec == "dcm" ? "dcm:passive" : spec; };
+    const auto of_matlab = [mark](const std::string& spec) {
+        return mark == "2" && spec == "dcm" ? "dcm:passive" : spec;
+    };
     for (const std::string& first : names_of_one(word.substr(0, two))) {
         for (const std::string& second : names_of_one(word.substr(two + mark.size()))) {
             add(mends, replaced.by(fmt::format("-f {} -t {}", of_matlab(first), of_matlab(second))));
@@ -304,12 +306,12 @@ Usage no_such_word(std::string_view what, const Option& option, std::string_view
 
 namespace {
 
-/// Numbers that are given to options of their names, as VALUEs: --roll 10 --pitch 20 as roll=10 pitch=20.
-/// @param is_known their names are those of a SPEC
-std::vector<Mend> with_labels(const OptionSet& options, bool& is_known) {
+/// Numbers that are given to options of their names, as VALUEs: --roll 10 --pitch 20 --yaw 30 as roll=10 pitch=20
+/// yaw=30. All names must be those of an attitude's numbers, of --from if that is given.
+std::vector<Mend> with_labels(const OptionSet& options) {
     Mend mend;
     Words labels;
-    std::string values;
+    Words values;
     for (std::size_t at = options.begin; at < options.words.size() && options.words[at] != "--"; ++at) {
         const std::string& word = options.words[at];
         const std::size_t end = std::min(word.find('='), word.size());
@@ -318,23 +320,26 @@ std::vector<Mend> with_labels(const OptionSet& options, bool& is_known) {
         const std::string argument = is_joined                       ? word.substr(end + 1)
                                      : at + 1 < options.words.size() ? options.words[at + 1]
                                                                      : "";
-        if (name.starts_with("--") && is_value(argument) && !options.knows(name) && !is_spec(name.substr(2))) {
-            const bool is_list = argument.find(',') != std::string::npos;
-            values += fmt::format("{}{}={}{}{}", values.empty() ? "" : " ", name.substr(2), is_list ? "[" : "",
-                                  argument, is_list ? "]" : "");
-            mend.edits.push_back({{at}, is_joined ? std::size_t{1} : 2});
+        if (name.starts_with("--") && is_value(argument) && !options.knows(name)) {
             labels.push_back(name.substr(2));
+            const bool is_list = argument.find(',') != std::string::npos;
+            values.push_back(labels.back() + (is_list ? "=[" : "=") + argument + (is_list ? "]" : ""));
+            mend.edits.push_back({{at}, is_joined ? std::size_t{1} : 2});
         }
     }
-    is_known = std::ranges::any_of(all_names(), [&labels](std::string_view each) {
-        const auto spec = parse_spec(each);
-        const auto known = std::holds_alternative<Spec>(spec) ? find_names(std::get<Spec>(spec), labels) : std::nullopt;
+    const Option* const from = options.find("--from");
+    const bool is_given = from != nullptr && from->given();
+    const auto is_named = [&labels](std::string_view name) {
+        const auto parsed = parse_spec(name);
+        const Spec* const spec = std::get_if<Spec>(&parsed);
+        const auto known = spec == nullptr ? std::nullopt : find_names(*spec, labels);
         return known && known->decides && known->places.size() == labels.size();
-    });
-    if (labels.size() < 2) {
+    };
+    const bool are_axis_and_angle = labels == Words{"axis", "angle"} || labels == Words{"angle", "axis"};
+    if (!are_axis_and_angle && !(is_given ? is_named(from->text()) : std::ranges::any_of(all_names(), is_named))) {
         return {};
     }
-    mend.edits.push_back({{Edit::at_end}, 0, {values}});
+    mend.edits.push_back({{Edit::at_end}, 0, {joined(values, " ")}});
     return {mend};
 }
 
@@ -349,10 +354,8 @@ Usage no_such_option(const OptionSet& options) {
             others.emplace_back(each.name.empty() ? "the conversion" : each.name);
         }
     }
-    bool are_labels = false;
-    std::vector<Mend> mends = with_labels(options, are_labels);
-    if (!are_labels && options.words[options.unknown_place.word].starts_with(name)) { // no letter among others
-        const auto labelled = std::exchange(mends, {});
+    std::vector<Mend> mends = with_labels(options);
+    if (mends.empty() && options.words[options.unknown_place.word].starts_with(name)) { // no letter among others
         const Replaced replaced(options, options.unknown_place.word);
         const auto names = mapped(options.all(), &Option::name);
         const bool has_spec = is_spec(replaced.argument());             // --out quat
@@ -376,7 +379,6 @@ Usage no_such_option(const OptionSet& options) {
         if (mends.empty()) {
             mends = converter_meant(bare, replaced);
         }
-        add(mends, labelled);
     }
     const std::string told = meaning_of_word(name);
     const std::string_view command = options.begin > 0 ? options.command_name() : "the conversion";
@@ -552,28 +554,25 @@ std::string explain(const SpecError& error) {
 
 namespace {
 
-/// The SPEC whose numbers a list names, with the columns where they are: "lat lon alt roll pitch yaw".
+/// The SPEC whose numbers a list names; in another order those of columns, where no header names them.
 std::vector<Mend> meant_by_names(const Option& option) {
     std::string text = option.text();
     std::ranges::replace(text, ',', ' ');
     const auto names = words_in(text);
-    std::vector<Mend> mends;
-    for (const char* const each : {"quat", "quat:xyzw", "rpy", "ypr", "dcm"}) {
+    std::optional<Mend> moved;
+    for (const char* const each : {"quat", "quat:xyzw", "rpy", "ypr"}) {
         const auto known = find_names(std::get<Spec>(parse_spec(each)), names);
-        if (!known || !known->decides) {
-            continue;
+        const bool is_plain = known && known->decides && known->prefix.empty() && known->suffix.empty() &&
+                              known->places.size() == names.size() && text.find_first_of("_:[]()") == std::string::npos;
+        if (is_plain && std::ranges::is_sorted(known->places)) {
+            return {{{OptionSet::changing(option, each)}}};
         }
-        Mend mend{{OptionSet::changing(option, each)}};
-        if (names.size() == known->places.size() && std::ranges::is_sorted(known->places)) {
-            return {mend};
-        }
-        if (option.name() == "--from") {
-            mend.edits.push_back({{Edit::at_end}, 0, {"--columns", list_of_columns(known->places)}});
-            mends.push_back(mend);
+        if (is_plain && option.name() == "--from" && !moved) {
+            moved = Mend{{OptionSet::changing(option, each)}};
+            moved->order.push_back({{Edit::at_end}, 0, {"--columns", list_of_columns(known->places)}});
         }
     }
-    mends.resize(std::min<std::size_t>(mends.size(), 1));
-    return mends;
+    return moved ? std::vector{*moved} : std::vector<Mend>();
 }
 
 } // namespace

@@ -117,14 +117,10 @@ std::vector<std::vector<Mend>> json_mends(const RowsCommand& command, std::strin
     const std::string_view text = beginning.substr(std::min(beginning.find_first_of("{["), beginning.size()));
     const JsonRows rows = rows_in_json(text, wanted, by_name ? std::nullopt : input.numbers.attitude);
     const bool is_by_count = rows.filters.size() == 1 && rows.filters[0].find("[.") == std::string::npos;
-    const auto parts = parts_of_label(rows.filters.empty() ? "" : rows.filters[0]);
-    const bool is_named = std::ranges::any_of(parts, [&input](std::string part) { // by a key on the way
-        std::erase_if(part, [](char c) { return !is_alphanumeric(c); });
-        const auto named = named_representation(part);
-        const bool is_attitude = is(vocabulary::attitude, part) && input.numbers.attitude &&
-                                 input.numbers.attitude->name == RepresentationId::quat;
-        return is_attitude || (named && input.numbers.attitude && *named == input.numbers.attitude->name);
-    });
+    const std::string path = rows.filters.empty() ? "" : rows.filters[0].substr(0, rows.filters[0].find(" |"));
+    const std::string key = path.substr(path.rfind('.') + 1);
+    const bool is_named = input.numbers.attitude && input.numbers.attitude->name == RepresentationId::quat &&
+                          (is(vocabulary::attitude, key) || key == "quat" || key == "quaternion");
     if (rows.filters.size() != 1 || (is_guess && is_by_count && !rows.is_pose && !is_named)) {
         return {};
     }

@@ -16,7 +16,7 @@
 #include "../../stream/bytes/file.hpp"
 #include "../../stream/numbers/number_text.hpp"
 #include "../grammar/column_names.hpp"
-#include "../grammar/value_text.hpp"
+#include "../grammar/values.hpp"
 #include "answers.hpp"
 #include "messages.hpp"
 
@@ -36,7 +36,7 @@ std::vector<std::string> names_of_spec(const std::string& text) {
 
 std::vector<double> numbers_in(std::string text) {
     std::ranges::replace_if(
-        text, [](char c) { return std::string_view(",;=:[](){}\t\n").find(c) != std::string_view::npos; }, ' ');
+        text, [](char c) { return std::string_view(",;[](){}\t\n").find(c) != std::string_view::npos; }, ' ');
     std::vector<double> numbers;
     for (const std::string& word : words_in(text)) {
         double number = 0.0;
@@ -51,15 +51,10 @@ constexpr auto possible_specs =
     std::to_array<std::string_view>({"quat", "quat:xyzw", "rpy", "rotvec", "axis-angle", "dcm", "dcm:passive", "6d",
                                      "5d", "euler:ZYX", "cayley", "mrp"});
 
-/// Whether there are numbers that would be unusual as radians.
-bool any_large(const std::vector<double>& numbers) {
-    constexpr double most_radians = 6.3;
-    return std::ranges::any_of(numbers, [](double number) { return std::abs(number) > most_radians; });
-}
-
 /// The SPECs that have as many numbers, which `said` names with their orders; all where none has.
 std::vector<std::string> specs_of_numbers(const std::vector<double>& numbers, std::string& said) {
-    const bool is_large = any_large(numbers);
+    constexpr double most_radians = 6.3;
+    const bool is_large = std::ranges::any_of(numbers, [](double number) { return std::abs(number) > most_radians; });
     std::vector<std::string> specs;
     std::vector<std::string> told;
     for (const std::string_view text : possible_specs) {
@@ -74,32 +69,19 @@ std::vector<std::string> specs_of_numbers(const std::vector<double>& numbers, st
     return specs.empty() ? std::vector<std::string>(possible_specs.begin(), possible_specs.end()) : specs;
 }
 
-/// The SPECs whose numbers VALUEs with these labels are: one of rotconv's own, or else projects'.
-std::vector<std::string> specs_of_labels(const std::vector<std::string>& labels, bool is_large) {
+/// The SPECs of rotconv's own whose numbers have the labels of VALUEs.
+std::vector<std::string> specs_of_labels(const std::string& values) {
     std::vector<std::string> specs;
-    for (const std::string_view name : messages::all_names()) {
-        const auto parsed = parse_spec(name);
-        const auto* const spec = std::get_if<Spec>(&parsed);
-        const auto known = spec != nullptr && spec->size() == labels.size() ? find_names(*spec, labels) : std::nullopt;
-        if (known && known->decides && spec->project == nullptr) {
-            return {(is_large ? spec->in_degrees() : *spec).text()};
-        }
-        if (known && known->decides) {
-            specs.emplace_back(name);
+    for (const std::string_view name : possible_specs) {
+        const Spec spec = std::get<Spec>(parse_spec(name));
+        bool means_other = false;
+        const bool is_read = attitude_in(values, operations::attitude_numbers(spec), name, means_other).has_value();
+        if (is_read && values.find_first_of("=:") != std::string::npos) {
+            const bool has_own_name = values.find(operations::names_of(spec)[0]) != std::string::npos; // rx of rotvec
+            specs.insert(has_own_name ? specs.begin() : specs.end(), spec.text());
         }
     }
     return specs;
-}
-std::vector<std::string> specs_of_labels(const std::string& values, bool is_large) {
-    try {
-        const ValueText text = parse_values(values);
-        return specs_of_labels(mapped(text.numbers, &ValueNumber::label),
-                               is_large && std::ranges::all_of(text.numbers, [](const ValueNumber& number) {
-                                   return number.unit.empty() || number.unit == "deg";
-                               }));
-    } catch (const Usage&) {
-        return {};
-    }
 }
 
 /// The SPECs that a file's names or numbers are; `said` names its columns.
@@ -167,8 +149,9 @@ Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
     } else if (!options.values.empty()) {
         const std::string values = joined(options.values, " ");
         const auto by_count = specs_of_numbers(numbers_in(values), said);
-        specs = specs_of_labels(values, any_large(numbers_in(values)));
-        specs = specs.empty() ? by_count : specs;
+        specs = specs_of_labels(values);
+        std::ranges::copy_if(by_count, std::back_inserter(specs),
+                             [&specs](const std::string& each) { return std::ranges::count(specs, each) == 0; });
     } else if (const auto bytes = path.empty() ? std::optional(stream::File::lines_of_pipe()) : first_bytes(path)) {
         specs = specs_of_file(path.empty() ? "the input" : quoted(path), *bytes, said);
         const auto dot = path.rfind('.');
@@ -183,7 +166,8 @@ Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
         lacks_from = false;
     }
     std::string of_reference; // as its names say
-    if (const Option* const to = options.find("--to"); options.files.size() == 2 && to != nullptr && !to->given()) {
+    if (const Option* const to = options.find("--to");
+        options.files.size() == 2 && options.find("--within") != nullptr && to != nullptr && !to->given()) {
         std::string ignored;
         const auto own = specs_of_file("", first_bytes(options.files[1]).value_or(""), ignored);
         of_reference = own.size() == 1 ? own[0] : "";

@@ -49,10 +49,7 @@ struct Filter {
 constexpr auto filters = std::to_array<Filter>({
     {"tr , .",
      [](const std::string& text) {
-         bool has_point = false; // of a number
-         for (auto at = text.find('.'); at != std::string::npos; at = text.find('.', at + 1)) {
-             has_point = has_point || (at + 1 < text.size() && text[at + 1] >= '0' && text[at + 1] <= '9');
-         }
+         const bool has_point = text.find('.', text.find('\n')) != std::string::npos; // below a header
          return has_point ? text : replaced(text, ',', '.');
      }},
     {R"(tr , '\t')", [](const std::string& text) { return replaced(text, ',', '\t'); }},
@@ -285,6 +282,9 @@ private:
                 continue;
             }
             const auto known = spec_ ? find_names(*spec_, mapped(items, lower)) : std::nullopt;
+            if (known && known->decides) { // each number is read by its name
+                places = mapped(known->places, [&places](std::size_t each) { return places[each]; });
+            }
             if (!is_guess_ || (known && known->decides)) {
                 offer(
                     {setting("--columns", list_of_columns(places, row->is_row ? names : std::vector<std::string>()))});
@@ -657,7 +657,7 @@ private:
                 return;
             }
         }
-        if (found.size() > 1 && !std::ranges::all_of(found, has_name)) {
+        if (found.size() > 1 && (is_guess_ || !std::ranges::all_of(found, has_name))) {
             return;
         }
         const std::size_t before = mends_.size();

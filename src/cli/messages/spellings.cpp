@@ -73,24 +73,25 @@ Words specs_of_columns(const std::string& text) {
     return specs;
 }
 
-/// The SPECs of a project that are of a kind, as in unity-euler and kuka-abc.
+/// The SPECs of a project that are of a kind, or have these numbers, as in unity-euler and kuka-abc.
 Words specs_of_kind(std::string_view text) {
     const auto begin = text.find_first_of("-_ ");
     const Project* const project = find_project(text.substr(0, begin));
     if (begin == std::string_view::npos || project == nullptr) {
         return {};
     }
-    const std::string kind(text.substr(begin + 1));
-    const Meaning* const meaning = find_meaning(kind);
-    const bool is_euler = meaning != nullptr && meaning->instead.find("euler:") != std::string_view::npos;
+    const std::string kind = lower(text.substr(begin + 1));
+    if (project->is_spec() && !project->columns.empty() && kind == lower(without_marks(project->columns))) {
+        return {std::string(project->text)};
+    }
+    const bool is_euler = kind == "euler";
     const auto named = named_representation(kind);
     const Words all = project->is_spec() ? Words{std::string(project->text)} : specs_of(*project);
     return filtered(all, [&](const std::string& each) {
         const auto parsed = parse_spec(each.substr(0, each.find(' ')));
         const Spec* const spec = std::get_if<Spec>(&parsed);
-        return spec != nullptr && (is_euler ? representation(spec->name).has_gimbal_lock
-                                   : named  ? spec->name == *named
-                                            : all.size() == 1);
+        return spec != nullptr &&
+               (is_euler ? representation(spec->name).has_gimbal_lock : named && spec->name == *named);
     });
 }
 
