@@ -185,7 +185,7 @@ std::vector<Rotation> Identification::generic_attitudes(const Candidate& candida
 
 std::vector<Rotation> Identification::attitudes_of(const Candidate& candidate, double tolerance,
                                                    std::span<const double> numbers, std::size_t width,
-                                                   std::vector<RowReport>& reports) {
+                                                   std::vector<RowReport>& reports, bool fast) {
     const std::size_t size = candidate.spec.size();
     std::vector<double> ordered;
     ordered.reserve(numbers.size() / width * size);
@@ -195,7 +195,7 @@ std::vector<Rotation> Identification::attitudes_of(const Candidate& candidate, d
         }
     }
     std::vector<double> quaternions(4 * (numbers.size() / width));
-    Conversion(candidate.spec, Spec{}, {.tolerance = tolerance}).run(ordered, quaternions, reports);
+    Conversion(candidate.spec, Spec{}, {.tolerance = tolerance, .fast = fast}).run(ordered, quaternions, reports);
     std::vector<Rotation> attitudes(numbers.size() / width);
     for (std::size_t i = 0; i < attitudes.size(); ++i) {
         attitudes[i] = rotation_at(quaternions.data() + 4 * i);

@@ -142,7 +142,7 @@ private:
     /// The attitudes that the candidate makes of rows of `width` numbers, the unknown ones first; see is_attitude().
     static std::vector<Rotation> attitudes_of(const Candidate& candidate, double tolerance,
                                               std::span<const double> numbers, std::size_t width,
-                                              std::vector<RowReport>& reports);
+                                              std::vector<RowReport>& reports, bool fast = false);
     /// False for the nan that stand for numbers without an attitude.
     [[nodiscard]] static bool is_attitude(const Rotation& rotation) noexcept { return rotation.w() == rotation.w(); }
     /// Attitudes that a candidate makes of `generic_numbers_`, with its constant rotations.
@@ -155,6 +155,7 @@ private:
     [[nodiscard]] std::vector<Rotation> attitudes_or_none(const Candidate& candidate, const Rows& rows) const;
     /// The candidate held against these rows alone, up to the first at which it is dropped.
     [[nodiscard]] Candidate held(const Candidate& candidate, const Rows& rows) const;
+    [[nodiscard]] Candidate held(const Candidate& candidate, const Rows& rows, bool fast) const;
     /// Replaces the nearest candidates, as many as are looked at, by what `hold` makes of them.
     void hold_nearest(std::vector<Candidate*> nearest, const std::function<void(Candidate&)>& hold) const;
     /// Those that fit with constant rotations, of which the nearest leaves an angle not below a tenth of another's.

@@ -198,14 +198,21 @@ Attitudes Identification::attitudes_or_none(const Candidate& candidate, const Ro
 }
 
 Candidate Identification::held(const Candidate& candidate, const Rows& rows) const {
+    constexpr double far_above_rounding = 1e-8; // plain doubles tell six digits of such an angle, without Wide
+    const Candidate quick = held(candidate, rows, true);
+    return quick.angle > far_above_rounding ? quick : held(candidate, rows, false);
+}
+
+Candidate Identification::held(const Candidate& candidate, const Rows& rows, bool fast) const {
     Candidate held = candidate;
     held.rows = 0;
     held.angle = 0.0;
     std::vector<RowReport> reports;
     for (std::size_t first = 0; first < rows.rows.size(); first += batch_rows) {
         const std::size_t count = std::min(batch_rows, rows.rows.size() - first);
-        const auto own = attitudes_of(candidate, settings_.tolerance,
-                                      std::span(rows.numbers).subspan(first * count_, count * count_), count_, reports);
+        const auto own =
+            attitudes_of(candidate, settings_.tolerance,
+                         std::span(rows.numbers).subspan(first * count_, count * count_), count_, reports, fast);
         for (std::size_t i = 0; i < count; ++i) {
             held.add(angle_of_row(candidate, own[i], rows.known[first + i]), rows.rows[first + i]);
             if (is_dropped(held)) {
