@@ -154,8 +154,9 @@ private:
     /// The attitudes that the candidate makes of rows; empty if it cannot read one of them.
     [[nodiscard]] std::vector<Rotation> attitudes_or_none(const Candidate& candidate, const Rows& rows) const;
     /// The candidate held against these rows alone, up to the first at which it is dropped.
-    [[nodiscard]] Candidate held(const Candidate& candidate, const Rows& rows) const;
-    [[nodiscard]] Candidate held(const Candidate& candidate, const Rows& rows, bool fast) const;
+    [[nodiscard]] Candidate held(const Candidate& candidate, const Rows& rows, bool fast = false) const;
+    /// The same to six digits, in plain double where that is enough.
+    [[nodiscard]] Candidate held_quickly(const Candidate& candidate, const Rows& rows) const;
     /// Replaces the nearest candidates, as many as are looked at, by what `hold` makes of them.
     void hold_nearest(std::vector<Candidate*> nearest, const std::function<void(Candidate&)>& hold) const;
     /// Those that fit with constant rotations, of which the nearest leaves an angle not below a tenth of another's.

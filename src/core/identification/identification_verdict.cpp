@@ -162,11 +162,11 @@ std::vector<Candidate> Identification::best_first() const {
     }
     const Rows few = undecided.empty() ? Rows() : some_rows(far_apart(kept_.known));
     for (Candidate* each : undecided) {
-        *each = joined(*each, held(*each, few));
+        *each = joined(*each, held_quickly(*each, few));
     }
     hold_nearest(undecided, [&](Candidate& each) {
         const Candidate& tried = candidates_[static_cast<std::size_t>(&each - candidates.data())];
-        each = joined(tried, held(tried, kept_));
+        each = joined(tried, held_quickly(tried, kept_));
     });
     std::ranges::stable_sort(candidates, {}, [](const Candidate& candidate) {
         return std::pair(-static_cast<double>(candidate.rows), candidate.angle);
@@ -197,10 +197,10 @@ Attitudes Identification::attitudes_or_none(const Candidate& candidate, const Ro
     return std::ranges::all_of(attitudes, is_attitude) ? attitudes : Attitudes();
 }
 
-Candidate Identification::held(const Candidate& candidate, const Rows& rows) const {
-    constexpr double far_above_rounding = 1e-8; // plain doubles tell six digits of such an angle, without Wide
+Candidate Identification::held_quickly(const Candidate& candidate, const Rows& rows) const {
+    constexpr double far_above_rounding = 1e-8; // small motions are often undecided, and would take Wide
     const Candidate quick = held(candidate, rows, true);
-    return quick.angle > far_above_rounding ? quick : held(candidate, rows, false);
+    return quick.angle > far_above_rounding ? quick : held(candidate, rows);
 }
 
 Candidate Identification::held(const Candidate& candidate, const Rows& rows, bool fast) const {
