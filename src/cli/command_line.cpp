@@ -74,13 +74,11 @@ std::vector<Mend> with_values_in_rows(const CommandOptions& operands) {
 /// Refuses operands that cannot be combined, and FILEs that cannot be read.
 void check(const CommandOptions& operands, std::size_t most_files) {
     const bool has_input = operands.input.given();
-    std::size_t first = 0; // behind labelled numbers, that of a verb: yaw=30 to quat
-    while (first < operands.files.size() && holds_number(operands.files[first])) {
-        ++first;
-    }
-    const bool is_verb = first < operands.files.size() && messages::is_verb(operands.files[first]) &&
-                         stream::File::why_unreadable(operands.files[first].c_str()) != 0;
-    for (std::size_t at = is_verb ? first : 0; at < operands.files.size(); ++at) {
+    const auto verb = std::ranges::find_if_not(operands.files, holds_number); // behind labels: yaw=30 to quat
+    const bool is_verb =
+        verb != operands.files.end() && messages::is_verb(*verb) && stream::File::why_unreadable(verb->c_str()) != 0;
+    const auto first = is_verb ? static_cast<std::size_t>(verb - operands.files.begin()) : std::size_t{0};
+    for (std::size_t at = first; at < operands.files.size(); ++at) {
         const std::string& file = operands.files[at];
         if (const int error = stream::File::why_unreadable(file.c_str()); error != 0) {
             if (at > 0 && most_files == 1 && file.find_first_of("./") != std::string::npos &&

@@ -180,9 +180,7 @@ struct TemporaryFile {
 };
 
 std::string name_of_command(const std::vector<std::string>& words) {
-    const auto& first = words.front();
-    constexpr std::array commands{"rates", "propagate", "survey", "compare", "compose", "rotate", "identify", "sample"};
-    return std::ranges::count(commands, first) > 0 ? first : "conversion";
+    return cli::is_command(words.front()) ? words.front() : "conversion";
 }
 
 constexpr const char* of_reference = " of the reference ";

@@ -38,7 +38,7 @@ std::string_view without_type(std::string_view word) {
     };
     const std::string_view first = without_number(word);
     const bool is_product = first.size() < word.size() && first.size() > 1 &&
-                            lower(first.substr(first.size() - 1)) == "x" &&
+                            (first.ends_with('x') || first.ends_with('X')) &&
                             decimals.find(first[first.size() - 2]) != std::string_view::npos; // 3x4
     return is_product ? without_number(first.substr(0, first.size() - 1)) : first;
 }

@@ -340,10 +340,11 @@ private:
             }
             const std::size_t most = most_;
             const bool is_first_choice = !is_choice && group->size() > 1;
+            const auto is_decided = [&] { return outcome.guesses_spec && names_decide_; };
             for (const bool one_each : {true, false}) {
                 most_ = most;
                 for (std::size_t i = 0; i < group->size() && (is_first_choice || !one_each); ++i) {
-                    if (one_each && outcome.guesses_spec && names_decide_) {
+                    if (one_each && is_decided()) {
                         break;
                     }
                     Attempt next = attempt.after((*group)[i]);
@@ -354,7 +355,7 @@ private:
                     // rows have no second mend
                     follow(next, outcome.is_tried ? deepest : depth + 1, is_choice || group->size() > 1);
                 }
-                if (outcome.guesses_spec && names_decide_) {
+                if (is_decided()) {
                     break;
                 }
             }

@@ -44,6 +44,8 @@ public:
 
     /// What is given to it; the next word, if it takes none.
     [[nodiscard]] const std::string& argument() const { return argument_; }
+    /// How many words it is with its argument.
+    [[nodiscard]] std::size_t size() const { return is_joined_ ? 1 : 2; }
     /// @param text one alternative, as Meaning::instead says it
     [[nodiscard]] std::vector<Mend> by(const std::string& text) const {
         const auto has = [&text](std::string_view part) { return text.find(part) != std::string::npos; };
@@ -68,12 +70,11 @@ public:
         const bool is_of_rotate = options_->command_name() == "rotate";
         const Option* const columns = options_->find("--columns");
         if (text == "@ARG" && is_of_rotate && columns != nullptr && columns->given() && !is_value(argument_)) { // names
-            return {{{{{at_}, is_joined_ ? std::size_t{1} : 2},
-                      OptionSet::changing(*columns, columns->text() + "," + argument_)}}};
+            return {{{{{at_}, size()}, OptionSet::changing(*columns, columns->text() + "," + argument_)}}};
         }
         const std::size_t listed = has("@ARG") ? size_of_list() : 1;
         if (is_spec(text) && argument_.find(',') != std::string::npos && !holds_number(argument_)) { // --quat a,b,c,d
-            return {{{{{at_}, is_joined_ ? std::size_t{1} : 2, {"-f", text, "--columns", argument_}}}}};
+            return {{{{{at_}, size(), {"-f", text, "--columns", argument_}}}}};
         }
         if (is_spec(text) && word_.starts_with('-') && from != nullptr && !is_joined_) {
             return {{{{{at_}, 1, {from->given() ? "-t" : "-f", text}}}}};
@@ -313,19 +314,18 @@ std::vector<Mend> with_labels(const OptionSet& options) {
     Words labels;
     Words values;
     for (std::size_t at = options.begin; at < options.words.size() && options.words[at] != "--"; ++at) {
-        const std::string& word = options.words[at];
-        const std::size_t end = std::min(word.find('='), word.size());
-        const bool is_joined = end < word.size();
-        const std::string name = word.substr(0, end);
-        const std::string argument = is_joined                       ? word.substr(end + 1)
-                                     : at + 1 < options.words.size() ? options.words[at + 1]
-                                                                     : "";
+        const Replaced option(options, at);
+        const std::string name = options.words[at].substr(0, options.words[at].find('='));
+        const std::string& argument = option.argument();
         if (name.starts_with("--") && is_value(argument) && !options.knows(name)) {
             labels.push_back(name.substr(2));
             const bool is_list = argument.find(',') != std::string::npos;
             values.push_back(labels.back() + (is_list ? "=[" : "=") + argument + (is_list ? "]" : ""));
-            mend.edits.push_back({{at}, is_joined ? std::size_t{1} : 2});
+            mend.edits.push_back({{at}, option.size()});
         }
+    }
+    if (labels.size() < 2) {
+        return {};
     }
     const Option* const from = options.find("--from");
     const bool is_given = from != nullptr && from->given();
@@ -560,14 +560,19 @@ std::vector<Mend> meant_by_names(const Option& option) {
     std::ranges::replace(text, ',', ' ');
     const auto names = words_in(text);
     std::optional<Mend> moved;
+    if (text.find_first_of("_:[]()") != std::string::npos) { // units and modifiers
+        return {};
+    }
     for (const char* const each : {"quat", "quat:xyzw", "rpy", "ypr"}) {
         const auto known = find_names(std::get<Spec>(parse_spec(each)), names);
-        const bool is_plain = known && known->decides && known->prefix.empty() && known->suffix.empty() &&
-                              known->places.size() == names.size() && text.find_first_of("_:[]()") == std::string::npos;
-        if (is_plain && std::ranges::is_sorted(known->places)) {
+        if (!known || !known->decides || !known->prefix.empty() || !known->suffix.empty() ||
+            known->places.size() != names.size()) {
+            continue;
+        }
+        if (std::ranges::is_sorted(known->places)) {
             return {{{OptionSet::changing(option, each)}}};
         }
-        if (is_plain && option.name() == "--from" && !moved) {
+        if (option.name() == "--from" && !moved) {
             moved = Mend{{OptionSet::changing(option, each)}};
             moved->order.push_back({{Edit::at_end}, 0, {"--columns", list_of_columns(known->places)}});
         }
@@ -582,10 +587,9 @@ Usage no_such_spec(const Option& option, const std::string& item, const SpecErro
     const Project* const project = error.what == What::unknown_name ? find_project(error.text) : nullptr;
     const std::string rest = item.substr(std::min(item.find(':'), item.size()));
     const bool is_list = option.text().find(',') != std::string::npos;
-    Words specs = project != nullptr ? specs_of(*project) : meant_specs(item, error);
+    const Words specs = project != nullptr ? specs_of(*project) : meant_specs(item, error);
     std::vector<Mend> mends = is_list || specs.empty() ? meant_by_names(option) : std::vector<Mend>();
-    specs = mends.empty() ? specs : Words();
-    for (const std::string& spec : specs) {
+    for (const std::string& spec : mends.empty() ? specs : Words()) {
         const auto words = words_in(spec);
         std::string text = option.text();
         text.replace(text.find(item), item.size(), words.empty() ? "" : words[0] + (project != nullptr ? rest : ""));

@@ -72,11 +72,13 @@ std::vector<std::string> specs_of_numbers(const std::vector<double>& numbers, st
 /// The SPECs of rotconv's own whose numbers have the labels of VALUEs.
 std::vector<std::string> specs_of_labels(const std::string& values) {
     std::vector<std::string> specs;
+    if (values.find_first_of("=:") == std::string::npos) {
+        return specs;
+    }
     for (const std::string_view name : possible_specs) {
         const Spec spec = std::get<Spec>(parse_spec(name));
         bool means_other = false;
-        const bool is_read = attitude_in(values, operations::attitude_numbers(spec), name, means_other).has_value();
-        if (is_read && values.find_first_of("=:") != std::string::npos) {
+        if (attitude_in(values, operations::attitude_numbers(spec), name, means_other)) {
             const bool has_own_name = values.find(operations::names_of(spec)[0]) != std::string::npos; // rx of rotvec
             specs.insert(has_own_name ? specs.begin() : specs.end(), spec.text());
         }

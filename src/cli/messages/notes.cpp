@@ -132,12 +132,12 @@ private:
         }
         const bool may_be_others = !set && part.attitude && !are_selected_ &&
                                    !representation(part.attitude->name).has_gimbal_lock; // angles have many names
-        for (const char* const each : {"quat", "rpy", "dcm"}) {
-            const auto other =
-                may_be_others ? find_names(std::get<Spec>(parse_spec(each)), part.of(names)) : std::nullopt;
-            if (other && other->decides) { // of another representation
-                return fmt::format("'s {} are read as they stand: as {}", own, joined(part.names));
-            }
+        const auto are_names_of = [&](const char* spec) {
+            const auto other = find_names(std::get<Spec>(parse_spec(spec)), part.of(names));
+            return other && other->decides;
+        };
+        if (may_be_others && (are_names_of("quat") || are_names_of("rpy") || are_names_of("dcm"))) {
+            return fmt::format("'s {} are read as they stand: as {}", own, joined(part.names));
         }
         const bool is_by_index =
             std::find(is_named_.begin() + begin, is_named_.begin() + end, false) < is_named_.begin() + end;

@@ -151,6 +151,13 @@ std::vector<std::string> result_columns(const Options& options, const Layout& la
     return columns;
 }
 
+/// Separates a member of an object of JSON from the one before.
+void begin_member(Buffer& to) {
+    if (to[to.size() - 1] != '{') {
+        append(to, ", ");
+    }
+}
+
 /// Writes a line with the columns of the result in their place.
 void write_columns(Buffer& to, const Layout& layout, const HeaderLine& line, const std::vector<std::string>& columns) {
     const auto write = [&columns, &to](const auto& begin_field) {
@@ -334,13 +341,8 @@ void RowWriter::write_json_number(Buffer& to, double number, std::size_t column)
 
 void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
     to.push_back('{');
-    const auto begin_member = [&to] {
-        if (to[to.size() - 1] != '{') {
-            append(to, ", ");
-        }
-    };
     const auto other = [&](std::size_t i) {
-        begin_member();
+        begin_member(to);
         layout_->keys.append_to(to, i, row.fields.size());
         append(to, ": ");
         const std::string_view text = trimmed(row.fields[i]);
@@ -348,7 +350,7 @@ void RowWriter::write_json(Buffer& to, const ConvertedRow& row) const {
     };
     for_each_output(*layout_, row.fields.size(), other, [] {});
     if (options_->block) {
-        write_json_parts(to, row.result, begin_member);
+        write_json_parts(to, row.result);
     } else {
         write_json_members(to, row.result);
     }
@@ -389,11 +391,10 @@ void RowWriter::write_json_members(Buffer& to, std::span<const double> numbers) 
     to.resize(static_cast<std::size_t>(at - to.data()));
 }
 
-void RowWriter::write_json_parts(Buffer& to, std::span<const double> numbers,
-                                 const std::function<void()>& begin_member) const {
+void RowWriter::write_json_parts(Buffer& to, std::span<const double> numbers) const {
     std::size_t column = 0;
     for (const ResultPart& part : options_->operation->parts) {
-        begin_member(); // the numbers of a SPEC have one key
+        begin_member(to); // the numbers of a SPEC have one key
         append_json_string(to, part.attitude->text());
         append(to, ": [");
         for (std::size_t i = 0; i < part.names.size(); ++i) {

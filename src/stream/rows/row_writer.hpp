@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -77,7 +76,7 @@ private:
     /// Writes the numbers of a row, each after its key.
     void write_json_members(Buffer& to, std::span<const double> numbers) const;
     /// Writes the numbers of each SPEC after its text.
-    void write_json_parts(Buffer& to, std::span<const double> numbers, const std::function<void()>& begin_member) const;
+    void write_json_parts(Buffer& to, std::span<const double> numbers) const;
     void write_json_number(Buffer& to, double number, std::size_t column) const;
     void write_pretty(Buffer& to, const ConvertedRow& row) const;
     void write_f64(Buffer& to, const ConvertedRow& row) const;
