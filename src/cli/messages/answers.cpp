@@ -355,7 +355,7 @@ private:
                     // rows have no second mend
                     follow(next, outcome.is_tried ? deepest : depth + 1, is_choice || group->size() > 1);
                 }
-                if (is_decided()) {
+                if (is_decided() || (is_first_choice && found_.size() == before)) { // no more will be found
                     break;
                 }
             }

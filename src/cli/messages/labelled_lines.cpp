@@ -167,8 +167,9 @@ bool is_with(std::string_view line, std::string_view word) {
 
 class Lines {
 public:
-    Lines(const std::vector<std::string_view>& lines, const stream::RowNumbers& numbers, const std::string& from)
-        : lines_(&lines), numbers_(&numbers), from_(&from) {}
+    Lines(const std::vector<std::string_view>& lines, const stream::RowNumbers& numbers, const std::string& from,
+          bool by_labels)
+        : lines_(&lines), numbers_(&numbers), from_(&from), by_labels_(by_labels) {}
 
     [[nodiscard]] std::optional<LabelledLines> found() const {
         std::size_t tried = 0;
@@ -199,8 +200,8 @@ private:
         const bool is_ascii = std::ranges::all_of(line, [](char c) { return static_cast<unsigned char>(c) < 128; });
         if (const auto named =
                 is_ascii && line.size() < longest ? labelled_places(line, NumbersOfLine(line)) : Places();
-            !named.empty()) {
-            return list_of_columns(named);
+            !named.empty() || by_labels_) {
+            return named.empty() ? std::nullopt : std::optional(list_of_columns(named));
         }
         const auto parts = is_ascii && line.size() < longest ? parts_of_line(line) : std::vector<LinePart>();
         const auto is_named = [this](const LinePart& part) {
@@ -285,6 +286,7 @@ private:
     const std::vector<std::string_view>* lines_;
     const stream::RowNumbers* numbers_;
     const std::string* from_;
+    bool by_labels_;
 };
 
 /// A name and what stands behind it, as the pattern of sed in named_lines() parts a line; without a mark no name.
@@ -406,8 +408,9 @@ std::vector<std::string> labelled_numbers(const std::string& text, const stream:
 }
 
 std::optional<LabelledLines> labelled_lines(const std::vector<std::string_view>& lines,
-                                            const stream::RowNumbers& numbers, const std::string& from) {
-    return Lines(lines, numbers, from).found();
+                                            const stream::RowNumbers& numbers, const std::string& from,
+                                            bool by_labels) {
+    return Lines(lines, numbers, from, by_labels).found();
 }
 
 } // namespace rotconv::cli

@@ -23,8 +23,10 @@ struct LabelledLines {
 /// Of the lines that hold an attitude as VALUEs do, such as XP1={X 445,Y 0,Z 790,A 30,B 20,C 10}, those with a word of
 /// the first one, or all that have numbers: the most that hold it at the same place. Nothing where there are none.
 /// @param from the SPEC as it is given
+/// @param by_labels only numbers count whose labels say which they are
 [[nodiscard]] std::optional<LabelledLines> labelled_lines(const std::vector<std::string_view>& lines,
-                                                          const stream::RowNumbers& numbers, const std::string& from);
+                                                          const stream::RowNumbers& numbers, const std::string& from,
+                                                          bool by_labels);
 
 /// The numbers of a text whose labels are the names of all numbers of a row, as words with their labels; none where the
 /// text also has what may change their meaning.

@@ -605,7 +605,8 @@ private:
         if (!spec_ || spec_->size() != count_ || from == nullptr) {
             return;
         }
-        const auto found = labelled_lines(lines, input_.numbers, from->text());
+        const bool by_labels = is_guess_ && std::ranges::none_of(lines, is_named);
+        const auto found = labelled_lines(lines, input_.numbers, from->text(), by_labels);
         if (found && (!is_guess_ || found->is_named || is_named(found->line))) {
             std::vector<std::optional<Edit>> edits{setting("--columns", found->columns)};
             if (found->is_ragged) {
