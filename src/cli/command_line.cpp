@@ -82,7 +82,7 @@ void check(const CommandOptions& operands, std::size_t most_files) {
         const std::string& file = operands.files[at];
         if (const int error = stream::File::why_unreadable(file.c_str()); error != 0) {
             if (at > 0 && most_files == 1 && file.find_first_of("./") != std::string::npos &&
-                operands.find("--output") != nullptr && !operands.find("--output")->given()) {
+                operands.missing("--output") != nullptr) {
                 throw Usage("{} and {} are two FILEs, but one is read, and -o names the one to write",
                             quoted(operands.files[0]), quoted(file))
                     .with({{{{operands.file_words[at], 1, {"-o", file}}}}});

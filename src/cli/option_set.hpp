@@ -35,6 +35,11 @@ struct Mend {
     std::string pipe{};                ///< commands whose output it reads; empty: there are none
     std::optional<std::string> text{}; ///< what they make of the beginning of the input, if that is known
     std::vector<Edit> order{};         ///< made once the command serves: it must not choose among more numbers
+
+    /// None where it edits nothing.
+    [[nodiscard]] static std::vector<Mend> unless_empty(Mend mend) {
+        return mend.edits.empty() ? std::vector<Mend>() : std::vector<Mend>{std::move(mend)};
+    }
 };
 
 /// Thrown while the command line is read, with words for the user.
@@ -129,12 +134,29 @@ public:
     [[nodiscard]] const std::vector<Option*>& all() const noexcept { return options_; }
     /// By one of its names, or null.
     [[nodiscard]] Option* find(std::string_view name) const;
+    [[nodiscard]] bool has(std::string_view name) const { return find(name) != nullptr; }
+    /// Null for an option that the command does not have, or that is not given.
+    [[nodiscard]] const Option* given(std::string_view name) const {
+        const Option* const option = find(name);
+        return option != nullptr && option->given() ? option : nullptr;
+    }
+    /// Null for an option that the command does not have, or that is given.
+    [[nodiscard]] const Option* missing(std::string_view name) const {
+        const Option* const option = find(name);
+        return option == nullptr || option->given() ? nullptr : option;
+    }
     /// Also by a second name.
     [[nodiscard]] bool knows(std::string_view name) const;
     /// These words in the place of VALUEs; without words the VALUEs go.
     [[nodiscard]] Mend with_values(const std::vector<std::string>& instead) const;
     /// Has the option, which is given, have that argument; without one it goes.
     [[nodiscard]] static Edit changing(const Option& option, const std::string& argument);
+    /// Another option with that argument, in the place of one that is given.
+    [[nodiscard]] static Edit instead_of(const Option& option, std::string_view name, const std::string& argument) {
+        Edit edit = changing(option, "");
+        edit.by = {std::string(name), argument};
+        return edit;
+    }
     /// The same for an option that may not be given.
     [[nodiscard]] static Edit setting(const Option& option, const std::string& argument) {
         return option.given() ? changing(option, argument)

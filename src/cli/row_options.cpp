@@ -93,10 +93,9 @@ stream::InputOptions input_of(const RowOptions& options, const SelectedColumns& 
     in.are_chosen = selected.list.empty() && !selected.key.empty();
     if (!selected.list.empty()) {
         const std::size_t count = in.numbers.names.size() - (selected.key.empty() ? 0 : 1);
-        const Option* const option = options.find(selected.option);
+        const Option* const option = options.given(selected.option);
         in.columns = parse(selected.list, count, selected.option, subject, [&](std::size_t selects) {
-            return option == nullptr || !option->given() ? std::vector<Mend>()
-                                                         : column_mends(options, *option, in.numbers, selects);
+            return option == nullptr ? std::vector<Mend>() : column_mends(options, *option, in.numbers, selects);
         });
         if (!selected.key.empty()) {
             in.columns = parse(selected.key + "," + selected.list, count + 1, selected.option, subject);
@@ -152,12 +151,10 @@ void RowOptions::check_attitudes() const {
 }
 
 double RowOptions::most_defect() const {
-    if (tolerance.given() && find("--within") != nullptr && !stream::is_number(tolerance.text())) {
-        Edit edit = changing(tolerance, "");
-        edit.by = {"--within", tolerance.text()};
+    if (tolerance.given() && has("--within") && !stream::is_number(tolerance.text())) {
         throw Usage("{} {} is a number, how far from a rotation numbers may be; the most angle is --within",
                     tolerance.name(), quoted(tolerance.text()))
-            .with({{{edit}}});
+            .with({{{instead_of(tolerance, "--within", tolerance.text())}}});
     }
     return amount_of(tolerance, ConversionSettings{}.tolerance, true);
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -117,81 +118,90 @@ std::vector<std::vector<Mend>> with_more_tolerance(const CommandOptions& options
     return mends;
 }
 
-/// Runs the rows at hand, and tells nothing.
-Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std::string& text, bool whole) {
-    std::optional<stream::RowError> wrong;
-    std::vector<Edit> better;
-    std::vector<Edit> noted;
-    bool has_other_order = false; // than the names say
-    bool is_whole_text = false;   // which has no header
-    const auto take = [&](const stream::Event& event) {
-        const auto* const diagnostic = std::get_if<stream::Diagnostic>(&event);
-        if (diagnostic != nullptr && diagnostic->kind == DiagnosticKind::large_angle && better.empty() &&
-            !attempt.says_radians) {
-            better.push_back({{Edit::at_end}, 0, {"-d"}});
-        }
-        const auto* const note = std::get_if<stream::Note>(&event);
-        has_other_order = has_other_order || (note != nullptr && note->kind == stream::Note::Kind::order);
-        is_whole_text = is_whole_text || (note != nullptr && note->kind == stream::Note::Kind::text);
-        if (note != nullptr && !note->words.empty()) {
-            better.push_back({{Edit::at_end}, 0, note->words});
-            noted.push_back(better.back());
-        }
-        if (const auto* const error = std::get_if<stream::RowError>(&event); error != nullptr && !wrong) {
+/// What a run tells of its rows.
+struct Told {
+    std::optional<stream::RowError> wrong{}; ///< the first
+    std::vector<Edit> better{};
+    std::vector<Edit> noted{};    ///< those that a note has
+    bool has_other_order = false; ///< than the names say
+    bool is_whole_text = false;   ///< which has no header
+
+    void take(const stream::Event& event, bool says_radians) {
+        if (const auto* const diagnostic = std::get_if<stream::Diagnostic>(&event)) {
+            if (diagnostic->kind == DiagnosticKind::large_angle && better.empty() && !says_radians) {
+                better.push_back({{Edit::at_end}, 0, {"-d"}});
+            }
+        } else if (const auto* const note = std::get_if<stream::Note>(&event)) {
+            has_other_order = has_other_order || note->kind == stream::Note::Kind::order;
+            is_whole_text = is_whole_text || note->kind == stream::Note::Kind::text;
+            if (!note->words.empty()) {
+                better.push_back({{Edit::at_end}, 0, note->words});
+                noted.push_back(better.back());
+            }
+        } else if (const auto* const error = std::get_if<stream::RowError>(&event); error != nullptr && !wrong) {
             wrong = *error;
         }
-    };
+    }
+};
+
+/// What may read the rows at which a run ended.
+/// @param reference the beginning of the REFERENCE
+std::vector<std::vector<Mend>> mends_of(const RowsCommand& command, const stream::RunResult& ending, const Told& told,
+                                        const std::string& text, const std::optional<std::string>& reference,
+                                        bool has_guess) {
+    using What = stream::RowError::What;
+    const auto& [error, wrong] = std::tie(ending.error, told.wrong);
+    if (wrong && wrong->what == What::attitude) {
+        return told.has_other_order ? name_mends(command, text, wrong->place.line)
+                                    : with_more_tolerance(*command.line, *wrong);
+    }
+    if (command.has_values || command.options.input.width > 0) {
+        return wrong && wrong->what == What::wrong_count
+                   ? messages::meant_by_values(*command.line, command.options.input.numbers)
+                   : std::vector<std::vector<Mend>>();
+    }
+    if ((error && error->place.is_in_reference()) || (wrong && wrong->place.is_in_reference())) {
+        return reference_mends(command, text, *reference);
+    }
+    if (error && error->what == stream::StreamError::What::json) {
+        return json_mends(command, text, has_guess);
+    }
+    const std::size_t line = error ? error->place.line : wrong ? wrong->place.line : 0;
+    return line > 0 ? row_mends(command, text, line, has_guess, ending.answered > 0) : std::vector<std::vector<Mend>>();
+}
+
+/// Runs the rows at hand, and tells nothing.
+Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std::string& text, bool whole) {
+    Told told;
     stream::Options options = command.options;
     options.threads = 1;
     options.writes_rows = false;
     stream::TextSource of_text{text};
     stream::Source& source = command.source ? *command.source : of_text;
-    std::optional<stream::TextSource> reference;
     const auto bytes = first_bytes(command.reference);
-    if (!command.reference.empty()) {
-        if (!bytes) {
-            return {.serves = true};
-        }
-        reference.emplace(*bytes);
+    if (!command.reference.empty() && !bytes) {
+        return {.serves = true};
     }
-    const auto ending = stream::run(source, nullptr, options, take, reference ? &*reference : nullptr);
-    if (ending.answered > 0 && (!whole || (!ending.error && !wrong))) {
-        const auto names = command.has_values || is_whole_text || options.input.width > 0
+    stream::TextSource reference(bytes.value_or(""));
+    const auto ending = stream::run(
+        source, nullptr, options, [&](const auto& event) { told.take(event, attempt.says_radians); },
+        bytes ? &reference : nullptr);
+    if (ending.answered > 0 && (!whole || (!ending.error && !told.wrong))) {
+        const auto names = command.has_values || told.is_whole_text || options.input.width > 0
                                ? RowNamesKind::none
                                : names_of_rows(options.input, text);
-        return {.serves = true, .names = names, .is_tried = names != RowNamesKind::others, .better = better};
+        return {.serves = true, .names = names, .is_tried = names != RowNamesKind::others, .better = told.better};
     }
-    using What = stream::StreamError::What;
-    const auto tried = [&noted](std::vector<std::vector<Mend>> mends) { // and what a note says
-        if (mends.empty() && !noted.empty()) {
-            mends.push_back({{noted}});
-            return Outcome{.is_tried = true, .mends = mends};
+    auto mends = mends_of(command, ending, told, text, bytes, attempt.has_guess);
+    if (mends.empty() && !told.noted.empty()) {
+        mends.push_back({Mend()});
+    }
+    for (auto& group : mends) { // and what a note says
+        for (Mend& mend : group) {
+            mend.edits.insert(mend.edits.end(), told.noted.begin(), told.noted.end());
         }
-        for (auto& group : mends) {
-            for (Mend& mend : group) {
-                mend.edits.insert(mend.edits.end(), noted.begin(), noted.end());
-            }
-        }
-        return Outcome{.is_tried = true, .mends = std::move(mends)};
-    };
-    if (wrong && wrong->what == stream::RowError::What::attitude) {
-        return tried(has_other_order ? name_mends(command, text, wrong->place.line)
-                                     : with_more_tolerance(*command.line, *wrong));
     }
-    if (command.has_values || options.input.width > 0) {
-        const bool is_count = wrong && wrong->what == stream::RowError::What::wrong_count;
-        return tried(is_count ? messages::meant_by_values(*command.line, options.input.numbers)
-                              : std::vector<std::vector<Mend>>());
-    }
-    if ((ending.error && ending.error->place.is_in_reference()) || (wrong && wrong->place.is_in_reference())) {
-        return tried(reference_mends(command, text, *bytes));
-    }
-    if (ending.error && ending.error->what == What::json) {
-        return tried(json_mends(command, text, attempt.has_guess));
-    }
-    const std::size_t line = ending.error ? ending.error->place.line : wrong ? wrong->place.line : 0;
-    return tried(line > 0 ? row_mends(command, text, line, attempt.has_guess, ending.answered > 0)
-                          : std::vector<std::vector<Mend>>());
+    return {.is_tried = true, .mends = std::move(mends)};
 }
 
 /// @param whole all rows at hand must be answered, not only the first
@@ -299,6 +309,17 @@ private:
                    });
                });
     }
+    void keep(const Attempt& attempt, RowNamesKind names) {
+        Attempt whole = attempt;
+        whole.words.insert(std::ranges::find(whole.words, "--"), attempt.axes.begin(), attempt.axes.end());
+        const bool has_axes = !attempt.axes.empty() && outcome_of(whole).serves;
+        const std::string command = (has_axes ? whole : attempt).command();
+        if (command.size() + std::string_view("try: ").size() <= longest && shown(command) == command &&
+            std::ranges::count(found_, command) == 0) {
+            found_.push_back(command);
+            names_decide_ = names_decide_ || names == RowNamesKind::own;
+        }
+    }
     /// @param is_choice one of several mends was taken that are as good as each other
     // NOLINTNEXTLINE(misc-no-recursion): as deep as mends that follow each other
     void follow(const Attempt& attempt, int depth, bool is_choice = false) {
@@ -319,51 +340,46 @@ private:
         }
         is_of_project_ = is_of_project_ || outcome.is_of_project;
         if (outcome.serves && depth > 0 && !(is_choice && outcome.names == RowNamesKind::others)) {
-            Attempt whole = attempt;
-            whole.words.insert(std::ranges::find(whole.words, "--"), attempt.axes.begin(), attempt.axes.end());
-            const bool has_axes = !attempt.axes.empty() && outcome_of(whole).serves;
-            const std::string command = (has_axes ? whole : attempt).command();
-            if (command.size() + std::string_view("try: ").size() <= longest && shown(command) == command &&
-                std::ranges::count(found_, command) == 0) {
-                found_.push_back(command);
-                names_decide_ = names_decide_ || outcome.names == RowNamesKind::own;
-            }
+            keep(attempt, outcome.names);
         }
         // the SPECs of a project are not those that others write in the same words
         const bool is_done = outcome.serves || depth == deepest ||
                              (outcome.is_of_values && (is_of_project_ || (attempt.has_guess && !found_.empty())));
-        for (auto group = outcome.mends.begin(); group != outcome.mends.end() && !is_done; ++group) {
-            const std::size_t before = found_.size();
-            const bool has_letters = are_sequences(*group);
-            if (has_letters && attempt.letters == 1U) { // zyz to zyx is zyz to zyx, or ZYZ to ZYX
-                std::swap(group->front(), group->back());
-            }
-            const std::size_t most = most_;
-            const bool is_first_choice = !is_choice && group->size() > 1;
-            const auto is_decided = [&] { return outcome.guesses_spec && names_decide_; };
-            for (const bool one_each : {true, false}) {
-                most_ = most;
-                for (std::size_t i = 0; i < group->size() && (is_first_choice || !one_each); ++i) {
-                    if (one_each && is_decided()) {
-                        break;
-                    }
-                    Attempt next = attempt.after((*group)[i]);
-                    next.has_guess = attempt.has_guess || outcome.guesses_spec;
-                    next.letters = has_letters && is_first_choice ? std::optional(i) : attempt.letters;
-                    next.axes = attempt.axes.empty() ? axes_of_projects(next.words) : attempt.axes;
-                    most_ = one_each ? std::min(most, found_.size() + 1) : most;
-                    // rows have no second mend
-                    follow(next, outcome.is_tried ? deepest : depth + 1, is_choice || group->size() > 1);
-                }
-                if (is_decided() || (is_first_choice && found_.size() == before)) { // no more will be found
-                    break;
-                }
-            }
-            most_ = most;
-            if (found_.size() > before) {
+        const std::size_t before = found_.size();
+        for (auto group = outcome.mends.begin(); group != outcome.mends.end() && !is_done && found_.size() == before;
+             ++group) {
+            follow(attempt, depth, is_choice, outcome, *group);
+        }
+    }
+    /// Follows mends that are as good as each other: first for a command each, then for more.
+    // NOLINTNEXTLINE(misc-no-recursion): see above
+    void follow(const Attempt& attempt, int depth, bool is_choice, const Outcome& outcome, std::vector<Mend> group) {
+        const std::size_t before = found_.size();
+        const std::size_t most = most_;
+        const bool has_letters = are_sequences(group);
+        if (has_letters && attempt.letters == 1U) { // zyz to zyx is zyz to zyx, or ZYZ to ZYX
+            std::swap(group.front(), group.back());
+        }
+        const bool is_first_choice = !is_choice && group.size() > 1;
+        const auto is_decided = [&] { return outcome.guesses_spec && names_decide_; };
+        for (const bool one_each : {true, false}) {
+            if (!one_each && (is_decided() || (is_first_choice && found_.size() == before))) { // no more will be found
                 break;
             }
+            for (std::size_t i = 0; i < group.size() && (is_first_choice || !one_each); ++i) {
+                if (one_each && is_decided()) {
+                    break;
+                }
+                Attempt next = attempt.after(group[i]);
+                next.has_guess = attempt.has_guess || outcome.guesses_spec;
+                next.letters = has_letters && is_first_choice ? std::optional(i) : attempt.letters;
+                next.axes = attempt.axes.empty() ? axes_of_projects(next.words) : attempt.axes;
+                most_ = one_each ? std::min(most, found_.size() + 1) : most;
+                // rows have no second mend
+                follow(next, outcome.is_tried ? deepest : depth + 1, is_choice || group.size() > 1);
+            }
         }
+        most_ = most;
     }
 
     std::vector<std::string> found_{};
@@ -377,9 +393,8 @@ private:
 
 bool may_be_tolerated(const CommandOptions& options, const stream::RowError& error) {
     constexpr double most = 0.05;
-    const Option* const tolerance = options.find("--tolerance");
     return error.what == stream::RowError::What::attitude && error.error == Error::defect && error.defect < most &&
-           tolerance != nullptr && !tolerance->given();
+           options.missing("--tolerance") != nullptr;
 }
 
 std::optional<std::string> first_bytes(const std::string& path) {

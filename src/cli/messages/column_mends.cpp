@@ -112,8 +112,7 @@ std::vector<Mend> column_mends(const CommandOptions& options, const Option& opti
         const auto own = has_indices ? std::vector<std::string>() : names_of_numbers(names, numbers);
         return own.empty() ? std::vector<Mend>() : with(own);
     }
-    const Option* const differences = options.find("--differences");
-    if (differences != nullptr && !differences->given() && numbers.attitude &&
+    if (options.missing("--differences") != nullptr && numbers.attitude &&
         find_names(*numbers.attitude, names)) { // of attitudes alone, perhaps with a time
         return {{{{{Edit::at_end}, 0, {"--differences"}}}}};
     }

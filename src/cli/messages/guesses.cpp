@@ -26,11 +26,9 @@ void add(std::vector<Mend>& mends, const std::vector<Mend>& more) {
 }
 
 bool are_same(std::string_view a, std::string_view b) {
-    const auto first = parse_spec(a);
-    const auto second = parse_spec(b);
-    const auto* const one = std::get_if<Spec>(&first);
-    const auto* const other = std::get_if<Spec>(&second);
-    return one != nullptr && other != nullptr && one->text() == other->text();
+    const auto first = spec_of(a);
+    const auto second = spec_of(b);
+    return first && second && first->text() == second->text();
 }
 
 /// A word of the command line, an option or an operand, and the edits that put others in its place.
@@ -49,35 +47,26 @@ public:
     /// @param text one alternative, as Meaning::instead says it
     [[nodiscard]] std::vector<Mend> by(const std::string& text) const {
         const auto has = [&text](std::string_view part) { return text.find(part) != std::string::npos; };
-        const Option* const from = options_->find("--from");
-        const Option* const to = options_->find("--to");
-        if (text.starts_with("-t ") && to != nullptr && to->given()) {
-            return {};
-        }
+        const Option* const from = options_->given("--from");
         const bool is_reference = text == "REFERENCE";
-        if ((is_reference || text == "ARG") && !word_.starts_with('-')) { // a word that is no option has no argument
-            return {};
-        }
-        if (has("euler:ARG") && !EulerSequence::parse(argument_)) {
-            return {};
-        }
         const bool takes_argument = has("ARG") || is_reference || text == "tail" || text == "awk" || text == "- -";
-        const bool lacks_from = has("FROM") && (from == nullptr || !from->given());
-        if ((takes_argument && argument_.empty()) || lacks_from ||
-            (is_command(text.substr(0, text.find(' '))) && options_->begin > 0)) {
+        if ((text.starts_with("-t ") && options_->given("--to") != nullptr) ||
+            ((is_reference || text == "ARG") && !word_.starts_with('-')) || // only an option has an argument
+            (has("euler:ARG") && !EulerSequence::parse(argument_)) || (takes_argument && argument_.empty()) ||
+            (has("FROM") && from == nullptr) || (is_command(text.substr(0, text.find(' '))) && options_->begin > 0)) {
             return {};
         }
         const bool is_of_rotate = options_->command_name() == "rotate";
-        const Option* const columns = options_->find("--columns");
-        if (text == "@ARG" && is_of_rotate && columns != nullptr && columns->given() && !is_value(argument_)) { // names
+        const Option* const columns = options_->given("--columns");
+        if (text == "@ARG" && is_of_rotate && columns != nullptr && !is_value(argument_)) { // names
             return {{{{{at_}, size()}, OptionSet::changing(*columns, columns->text() + "," + argument_)}}};
         }
         const std::size_t listed = has("@ARG") ? size_of_list() : 1;
         if (is_spec(text) && argument_.find(',') != std::string::npos && !holds_number(argument_)) { // --quat a,b,c,d
             return {{{{{at_}, size(), {"-f", text, "--columns", argument_}}}}};
         }
-        if (is_spec(text) && word_.starts_with('-') && from != nullptr && !is_joined_) {
-            return {{{{{at_}, 1, {from->given() ? "-t" : "-f", text}}}}};
+        if (is_spec(text) && word_.starts_with('-') && options_->has("--from") && !is_joined_) {
+            return {{{{{at_}, 1, {from != nullptr ? "-t" : "-f", text}}}}};
         }
         if (listed == 0 || (text == "- -" && argument_.size() != 1) || (text == "-o ARG" && is_spec(argument_)) ||
             (text == "@ARG" && !is_of_rotate)) {
@@ -122,9 +111,8 @@ private:
         if (is_joined_ && !takes_argument && !by.empty()) {
             by.back() += "=" + argument_;
         }
-        const std::string_view unit = unit_of(modifier);           // also of rates
-        const Option* const initial = options_->find("--initial"); // of propagate
-        if (unit == "deg" && initial != nullptr && !initial->given() && from == nullptr) {
+        const std::string_view unit = unit_of(modifier);                                     // also of rates
+        if (unit == "deg" && options_->missing("--initial") != nullptr && from == nullptr) { // of propagate
             by.emplace_back("-d");
             return {mend};
         }
@@ -214,21 +202,19 @@ private:
             modifier = meaning->instead.substr(1);
         }
         const bool is_inverse = modifier == "passive";
-        if (is_spec("quat:" + modifier) && modifier.size() == 4 &&
-            (options_->find("--within") != nullptr || options_->find("--by") != nullptr ||
-             options_->find("--initial") != nullptr)) { // an order, of which of the attitudes?
-            return {};
-        }
-        const Option* const own = options_->find("--from");
-        if (is_preset(modifier) && own != nullptr && !own->given()) { // it is said of the numbers that are read
+        const Option* const own = options_->given("--from");
+        const bool lacks_own = options_->missing("--from") != nullptr;
+        const bool is_order = is_spec("quat:" + modifier) && modifier.size() == 4;
+        if ((is_order && (options_->has("--within") || options_->has("--by") || // of which of the attitudes?
+                          options_->has("--initial"))) ||
+            (is_preset(modifier) && lacks_own)) { // it is said of the numbers that are read
             return {};
         }
         std::vector<Mend> mends;
-        const bool is_of_result =
-            is_inverse && options_->find("--by") == nullptr; // of FILE's attitudes, not the product
+        const bool is_of_result = is_inverse && !options_->has("--by"); // of FILE's attitudes, not the product
         for (const char* name : {is_of_result ? "--to" : "--from", is_of_result ? "--from" : "--to"}) {
-            const Option* const option = options_->find(name);
-            if (option == nullptr || !option->given() || (is_inverse && !mends.empty())) {
+            const Option* const option = options_->given(name);
+            if (option == nullptr || (is_inverse && !mends.empty())) {
                 continue;
             }
             for (const std::string& spec : filtered(with_modifier(name_of_angles(*option), modifier), is_spec)) {
@@ -240,7 +226,7 @@ private:
                 mends.back().edits.push_back(OptionSet::setting(*option, spec));
             }
         }
-        if (mends.empty() && own != nullptr && !own->given() && EulerSequence::parse(modifier)) {
+        if (mends.empty() && lacks_own && EulerSequence::parse(modifier)) {
             for (const std::string& spec : with_modifier("euler", modifier)) {
                 mends.push_back(mend);
                 mends.back().edits.front().by = {"-f", spec};
@@ -260,6 +246,11 @@ private:
     std::string argument_;
     bool is_joined_ = false;
 };
+
+/// The option that has the SPEC of the second attitudes, if the command reads such.
+std::string_view option_of_second_spec(const OptionSet& options) {
+    return options.has("--by") ? "--by" : "--to"; // compose's -t is the result's
+}
 
 /// A word such as rpy2quat or px4-to-ros.
 std::vector<Mend> converter_meant(const std::string& word, const Replaced& replaced) {
@@ -288,7 +279,13 @@ std::vector<Mend> converter_meant(const std::string& word, const Replaced& repla
 
 } // namespace
 
-bool is_spec(std::string_view word) { return std::holds_alternative<Spec>(parse_spec(word)); }
+std::optional<Spec> spec_of(std::string_view text) {
+    const auto parsed = parse_spec(text);
+    const auto* const spec = std::get_if<Spec>(&parsed);
+    return spec == nullptr ? std::nullopt : std::optional(*spec);
+}
+
+bool is_spec(std::string_view word) { return spec_of(word).has_value(); }
 
 bool is_preset(std::string_view word) { return std::ranges::count(presets(), word, &Project::text) != 0; }
 
@@ -327,16 +324,15 @@ std::vector<Mend> with_labels(const OptionSet& options) {
     if (labels.size() < 2) {
         return {};
     }
-    const Option* const from = options.find("--from");
-    const bool is_given = from != nullptr && from->given();
+    const Option* const from = options.given("--from");
     const auto is_named = [&labels](std::string_view name) {
-        const auto parsed = parse_spec(name);
-        const Spec* const spec = std::get_if<Spec>(&parsed);
-        const auto known = spec == nullptr ? std::nullopt : find_names(*spec, labels);
+        const auto spec = spec_of(name);
+        const auto known = spec ? find_names(*spec, labels) : std::nullopt;
         return known && known->decides && known->places.size() == labels.size();
     };
     const bool are_axis_and_angle = labels == Words{"axis", "angle"} || labels == Words{"angle", "axis"};
-    if (!are_axis_and_angle && !(is_given ? is_named(from->text()) : std::ranges::any_of(all_names(), is_named))) {
+    if (!are_axis_and_angle &&
+        !(from != nullptr ? is_named(from->text()) : std::ranges::any_of(all_names(), is_named))) {
         return {};
     }
     mend.edits.push_back({{Edit::at_end}, 0, {joined(values, " ")}});
@@ -350,7 +346,7 @@ Usage no_such_option(const OptionSet& options) {
     const std::string bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
     Words others; // commands that have the option
     for (const CommandEntry& each : command_table()) {
-        if (each.options()->find(name) != nullptr) {
+        if (each.options()->has(name)) {
             others.emplace_back(each.name.empty() ? "the conversion" : each.name);
         }
     }
@@ -411,69 +407,54 @@ Usage no_such_method(RepresentationId from, RepresentationId to, const Option& o
 std::vector<Mend> with_specs_of_others(const OptionSet& options) {
     std::vector<const Option*> missing;
     for (const char* name : {"--from", "--to"}) {
-        if (const Option* const option = options.find(name); option != nullptr && !option->given()) {
+        if (const Option* const option = options.missing(name)) {
             missing.push_back(option);
         }
     }
     Mend mend;
-    const Option* const output = options.find("--output");
-    if (output != nullptr && output->given() && stream::File::is_regular(output->text().c_str())) {
+    const Option* const output = options.given("--output");
+    if (output != nullptr && stream::File::is_regular(output->text().c_str())) {
         return {}; // perhaps it is what was to be read
     }
     for (const char* name : {"--output", "--input", "--format"}) {
-        const Option* const other = options.find(name);
-        if (other == nullptr || !other->given() || missing.empty() || stream::File::is_regular(other->text().c_str()) ||
+        const Option* const other = options.given(name);
+        if (other == nullptr || missing.empty() || stream::File::is_regular(other->text().c_str()) ||
             !(is_spec(other->text()) || find_project(other->text()) != nullptr)) {
             continue;
         }
-        const auto right = mend.edits.empty() && other->name() == "--output" ? missing.end() - 1 : missing.begin();
-        mend.edits.push_back(OptionSet::changing(*other, ""));
-        mend.edits.back().by = {std::string((*right)->names.substr(0, 2)), other->text()};
+        const auto right = mend.edits.empty() && other == output ? missing.end() - 1 : missing.begin();
+        mend.edits.push_back(OptionSet::instead_of(*other, (*right)->names.substr(0, 2), other->text()));
         missing.erase(right);
     }
-    return mend.edits.empty() ? std::vector<Mend>() : std::vector<Mend>{mend};
+    return Mend::unless_empty(mend);
 }
-
-namespace {
-
-/// The option that has the SPEC of the second attitudes, if the command reads such.
-const char* option_of_second_spec(const OptionSet& options) {
-    return options.find("--by") != nullptr ? "--by" : "--to"; // compose's -t is the result's
-}
-
-} // namespace
 
 std::vector<Mend> with_second_options(const OptionSet& options) {
-    const std::array<std::pair<const char*, const char*>, 4> seconds{{{"--columns", "--reference-columns"},
-                                                                      {"--from", option_of_second_spec(options)},
-                                                                      {"--key", "--reference-key"},
-                                                                      {"--time-unit", "--reference-time-unit"}}};
     Mend mend;
-    for (const auto& [name, of_reference] : seconds) {
-        const Option* const option = options.find(name);
-        const Option* const second = options.find(of_reference);
-        if (option != nullptr && option->texts.size() == 2 && second != nullptr && !second->given() &&
-            options.find("--reference-columns") != nullptr &&
-            (option->name() != "--from" || is_spec(option->texts[1]))) {
-            Edit edit = OptionSet::changing(*option, "");
-            edit.by = {std::string(second->name()), option->texts[1]};
-            mend.edits.push_back(edit);
+    for (const char* name : {"--columns", "--from", "--key", "--time-unit"}) {
+        const Option* const option = options.given(name);
+        const bool is_from = name == std::string_view("--from");
+        const Option* const second =
+            options.missing(is_from ? option_of_second_spec(options) : fmt::format("--reference-{}", name + 2));
+        if (option != nullptr && option->texts.size() == 2 && second != nullptr && options.has("--reference-columns") &&
+            (!is_from || is_spec(option->texts[1]))) {
+            mend.edits.push_back(OptionSet::instead_of(*option, second->name(), option->texts[1]));
         }
     }
-    return mend.edits.empty() ? std::vector<Mend>() : std::vector<Mend>{mend};
+    return Mend::unless_empty(mend);
 }
 
 std::vector<Mend> with_specs_of_words(const OptionSet& options, const std::vector<WordEnd>& words) {
-    std::vector<const char*> names{"--from", option_of_second_spec(options)};
-    if (options.find("--by") == nullptr && options.find("--within") == nullptr) {
+    std::vector<std::string_view> names{"--from", option_of_second_spec(options)};
+    if (!options.has("--by") && !options.has("--within")) {
         names.pop_back(); // one attitude is read
     }
     Mend mend;
     for (std::size_t i = 0; i < words.size() && i < names.size(); ++i) {
         const std::string& word = options.words[words[i].word];
         auto parts = words_in(word);
-        const Option* const option = options.find(names[i]);
-        if (parts.size() < 2 || option == nullptr || option->given()) {
+        const Option* const option = options.missing(names[i]);
+        if (parts.size() < 2 || option == nullptr) {
             return {};
         }
         parts[0].resize(parts[0].size() - (parts[0].ends_with(':') ? 1 : 0));
@@ -483,7 +464,7 @@ std::vector<Mend> with_specs_of_words(const OptionSet& options, const std::vecto
         parts.insert(parts.begin(), std::string(option->name()));
         mend.edits.push_back({words[i], 1, parts});
     }
-    return words.empty() || words.size() > names.size() ? std::vector<Mend>() : std::vector<Mend>{mend};
+    return words.size() > names.size() ? std::vector<Mend>() : Mend::unless_empty(mend);
 }
 
 std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at) {
@@ -498,8 +479,6 @@ std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at) {
     if (auto specs = with_specs_of_words(options, {{at, 0}}); !specs.empty()) {
         return specs;
     }
-    const Option* const from = options.find("--from");
-    const Option* const to = options.find("--to");
     std::vector<Mend> mends;
     const auto parsed = parse_spec(word);
     if (const auto* const error = std::get_if<SpecError>(&parsed); error != nullptr && options.takes_names()) {
@@ -516,10 +495,10 @@ std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at) {
     }
     const auto table = command_table();
     for (const std::string& each : meant(word, mapped(std::span(table).subspan(1), &CommandEntry::name))) {
-        const bool is_from = from != nullptr && !from->given();
+        const bool is_from = options.missing("--from") != nullptr;
         if (!is_spec(each)) {
             add(mends, replaced.by(each));
-        } else if (is_from || (to != nullptr && !to->given())) {
+        } else if (is_from || options.missing("--to") != nullptr) {
             add(mends, replaced.by((is_from ? "-f " : "-t ") + each));
         }
     }
@@ -564,7 +543,7 @@ std::vector<Mend> meant_by_names(const Option& option) {
         return {};
     }
     for (const char* const each : {"quat", "quat:xyzw", "rpy", "ypr"}) {
-        const auto known = find_names(std::get<Spec>(parse_spec(each)), names);
+        const auto known = find_names(*spec_of(each), names);
         if (!known || !known->decides || !known->prefix.empty() || !known->suffix.empty() ||
             known->places.size() != names.size()) {
             continue;

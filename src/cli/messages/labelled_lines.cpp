@@ -205,9 +205,8 @@ private:
         }
         const auto parts = is_ascii && line.size() < longest ? parts_of_line(line) : std::vector<LinePart>();
         const auto is_named = [this](const LinePart& part) {
-            const auto named = parse_spec(lower(part.label));
-            const auto* const spec = std::get_if<Spec>(&named);
-            return spec != nullptr && numbers_->attitude && spec->name == numbers_->attitude->name;
+            const auto spec = messages::spec_of(lower(part.label));
+            return spec && numbers_->attitude && spec->name == numbers_->attitude->name;
         };
         const bool is_only = std::ranges::count_if(parts, is_named) == 1;
         for (const LinePart& part : parts) {

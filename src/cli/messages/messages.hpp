@@ -28,6 +28,8 @@ namespace rotconv::cli::messages {
 /// The words of modifiers, in the order of the table.
 [[nodiscard]] std::vector<std::string_view> words_of(const ModifierSet& modifiers);
 
+/// Nothing for other texts.
+[[nodiscard]] std::optional<Spec> spec_of(std::string_view text);
 [[nodiscard]] bool is_spec(std::string_view word);
 [[nodiscard]] bool is_preset(std::string_view word);
 

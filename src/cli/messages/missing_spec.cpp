@@ -27,13 +27,6 @@ namespace {
 // NOLINTNEXTLINE(cert-err58-cpp): without memory nothing works
 const std::vector<std::string> any_quaternion{"quat", "quat:xyzw"};
 
-/// The columns of a SPEC; none if the text is no SPEC.
-std::vector<std::string> names_of_spec(const std::string& text) {
-    const auto parsed = parse_spec(text);
-    const auto* const spec = std::get_if<Spec>(&parsed);
-    return spec == nullptr ? std::vector<std::string>() : operations::names_of(*spec);
-}
-
 std::vector<double> numbers_in(std::string text) {
     std::ranges::replace_if(
         text, [](char c) { return std::string_view(",;[](){}\t\n").find(c) != std::string_view::npos; }, ' ');
@@ -58,7 +51,7 @@ std::vector<std::string> specs_of_numbers(const std::vector<double>& numbers, st
     std::vector<std::string> specs;
     std::vector<std::string> told;
     for (const std::string_view text : possible_specs) {
-        Spec spec = std::get<Spec>(parse_spec(text));
+        Spec spec = *messages::spec_of(text);
         if (spec.size() == numbers.size()) {
             spec = is_large ? spec.in_degrees() : spec;
             specs.push_back(spec.text());
@@ -76,7 +69,7 @@ std::vector<std::string> specs_of_labels(const std::string& values) {
         return specs;
     }
     for (const std::string_view name : possible_specs) {
-        const Spec spec = std::get<Spec>(parse_spec(name));
+        const Spec spec = *messages::spec_of(name);
         bool means_other = false;
         if (attitude_in(values, operations::attitude_numbers(spec), name, means_other)) {
             const bool has_own_name = values.find(operations::names_of(spec)[0]) != std::string::npos; // rx of rotvec
@@ -95,7 +88,7 @@ std::vector<std::string> specs_of_file(const std::string& name, const std::strin
     stream::InputOptions input;
     input.columns_of = [&known](const std::vector<std::string>& names) {
         return stream::ChosenColumns{.are_known = std::ranges::any_of(known, [&names](const char* spec) {
-                                         return find_names(std::get<Spec>(parse_spec(spec)), names).has_value();
+                                         return find_names(*messages::spec_of(spec), names).has_value();
                                      })};
     };
     stream::Preamble preamble(input);
@@ -117,7 +110,7 @@ std::vector<std::string> specs_of_file(const std::string& name, const std::strin
     said += fmt::format("; {} has {}: {}", name, counted(row.fields.size(), "column"), numbered(names));
     std::vector<std::string> specs;
     for (const char* spec : known) {
-        if (find_names(std::get<Spec>(parse_spec(spec)), names)) {
+        if (find_names(*messages::spec_of(spec), names)) {
             specs.emplace_back(spec);
         }
     }
@@ -144,10 +137,11 @@ Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
     said += is_identify ? ": identify needs rows that also have the attitude in a known convention" : "";
     if (!lacks_from) {
         const std::string& own = from != nullptr ? from->text() : "";
-        const bool is_quat = find_names(std::get<Spec>(parse_spec("quat")), names_of_spec(own)).has_value();
-        specs = options.find("--by") != nullptr ? std::vector<std::string>{own}
-                : from != nullptr && is_quat    ? std::vector<std::string>{"rpy:deg", "dcm"}
-                                                : std::vector<std::string>{"quat"};
+        const auto spec = messages::spec_of(own);
+        const bool is_quat = spec && spec->name == RepresentationId::quat;
+        specs = options.has("--by") ? std::vector<std::string>{own}
+                : is_quat           ? std::vector<std::string>{"rpy:deg", "dcm"}
+                                    : std::vector<std::string>{"quat"};
     } else if (!options.values.empty()) {
         const std::string values = joined(options.values, " ");
         const auto by_count = specs_of_numbers(numbers_in(values), said);
@@ -168,8 +162,7 @@ Usage missing_spec(const CommandOptions& options, const MissingSpec& error) {
         lacks_from = false;
     }
     std::string of_reference; // as its names say
-    if (const Option* const to = options.find("--to");
-        options.files.size() == 2 && options.find("--within") != nullptr && to != nullptr && !to->given()) {
+    if (options.files.size() == 2 && options.has("--within") && options.missing("--to") != nullptr) {
         std::string ignored;
         const auto own = specs_of_file("", first_bytes(options.files[1]).value_or(""), ignored);
         of_reference = own.size() == 1 ? own[0] : "";

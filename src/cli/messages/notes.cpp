@@ -133,7 +133,7 @@ private:
         const bool may_be_others = !set && part.attitude && !are_selected_ &&
                                    !representation(part.attitude->name).has_gimbal_lock; // angles have many names
         const auto are_names_of = [&](const char* spec) {
-            const auto other = find_names(std::get<Spec>(parse_spec(spec)), part.of(names));
+            const auto other = find_names(*messages::spec_of(spec), part.of(names));
             return other && other->decides;
         };
         if (may_be_others && (are_names_of("quat") || are_names_of("rpy") || are_names_of("dcm"))) {
@@ -203,8 +203,8 @@ std::string axes_options(const RowOptions& options) {
         return "";
     }
     const auto project_of = [](const Option& option) {
-        const auto spec = parse_spec(split(option.text(), ',').front()); // all SPECs after -t have the same axes
-        return std::holds_alternative<Spec>(spec) ? std::get<Spec>(spec).project : nullptr;
+        const auto spec = messages::spec_of(split(option.text(), ',').front()); // all SPECs after -t have the same axes
+        return spec ? spec->project : nullptr;
     };
     const Project* const from = project_of(options.from);
     const Project* const to = project_of(options.to);

@@ -12,8 +12,8 @@ namespace rotconv::cli {
 
 std::vector<std::vector<Mend>> numpy_mends(const RowsCommand& command, std::string_view bytes) {
     constexpr std::size_t prefix = 10; // \x93NUMPY, the version, and the size of the header
-    const Option* const format = command.line->find("--input-format");
-    if (!bytes.starts_with("\x93NUMPY\x01") || bytes.size() < prefix || format == nullptr || format->given()) {
+    const Option* const format = command.line->missing("--input-format");
+    if (!bytes.starts_with("\x93NUMPY\x01") || bytes.size() < prefix || format == nullptr) {
         return {};
     }
     const auto byte = [bytes](std::size_t at) { return std::size_t{static_cast<unsigned char>(bytes[at])}; };

@@ -173,7 +173,7 @@ public:
             offer_wider_rows(static_cast<std::size_t>(first - rows_.begin()));
             return std::move(mends_);
         }
-        if (command_->line->find("--differences") != nullptr) { // of attitudes alone
+        if (command_->line->has("--differences")) { // of attitudes alone
             mends_.push_back({{{{{Edit::at_end}, 0, {"--differences"}}}}});
         }
         const std::string_view line = rows_[at_].line.text;
@@ -320,8 +320,7 @@ private:
         const auto& fields = rows_[row].fields;
         const auto of_project =
             spec_ ? columns_of_project(*spec_, fields.size()).positions : std::vector<std::size_t>();
-        const Option* const differences = command_->line->find("--differences");
-        const bool are_rates = differences != nullptr && !differences->given();
+        const bool are_rates = command_->line->missing("--differences") != nullptr;
         const bool has_time = are_rates || (input_.numbers.kept == 1 && count_ == spec_->size() + 1);
         if (!of_project.empty() && of_project.front() > 0 && has_time) {
             std::vector<std::optional<Edit>> edits{setting("--columns", "1," + list_of_columns(of_project))};
@@ -585,7 +584,7 @@ private:
     }
     /// Offers numbers that stand one below the other, each behind its name, perhaps with a name above them all.
     void offer_named_lines() {
-        if (spec_ && spec_->size() == count_ && command_->line->find("--columns") != nullptr) {
+        if (spec_ && spec_->size() == count_ && command_->line->has("--columns")) {
             const std::size_t before = mends_.size();
             const auto lines = mapped(rows_, [](const Row& row) { return row.line.text; });
             const bool is_unix = text_.find('\r') == std::string_view::npos;
@@ -719,10 +718,10 @@ std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::
                                                std::string_view beginning) {
     const stream::InputOptions& input = command.options.pairing->reference;
     const auto& spec = input.numbers.attitude;
-    const Option* const option = command.line->find("--reference-columns");
+    const Option* const option = command.line->missing("--reference-columns");
     const auto rows = rows_of(beginning, input);
     const auto row = std::ranges::find_if(rows, &Row::has_numbers);
-    if (!spec || option == nullptr || option->given() || row == rows.end()) {
+    if (!spec || option == nullptr || row == rows.end()) {
         return {};
     }
     KnownNames found{columns_of_project(*spec, row->fields.size()).positions};

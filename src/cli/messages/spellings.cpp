@@ -57,13 +57,11 @@ Words specs_of_columns(const std::string& text) {
     auto names = all_names();
     names.insert(names.begin(), {"quat", "quat:xyzw"});
     for (const std::string_view each : names) {
-        const auto parsed = parse_spec(each);
-        const Spec* const spec = std::get_if<Spec>(&parsed);
-        const auto columns = spec == nullptr ? Words() : operations::names_of(*spec);
+        const auto spec = spec_of(each);
+        const auto columns = spec ? operations::names_of(*spec) : Words();
         if (columns.size() > 2 && lower(without_marks(joined(columns, ""))) == lower(without_marks(text)) &&
-            std::ranges::none_of(specs, [&](const std::string& known) {
-                return std::get<Spec>(parse_spec(known)).text() == spec->text();
-            })) {
+            std::ranges::none_of(specs,
+                                 [&](const std::string& known) { return spec_of(known)->text() == spec->text(); })) {
             specs.emplace_back(each);
             if (spec->unit == AngleUnit::radians) { // no robot's
                 break;
@@ -88,10 +86,8 @@ Words specs_of_kind(std::string_view text) {
     const auto named = named_representation(kind);
     const Words all = project->is_spec() ? Words{std::string(project->text)} : specs_of(*project);
     return filtered(all, [&](const std::string& each) {
-        const auto parsed = parse_spec(each.substr(0, each.find(' ')));
-        const Spec* const spec = std::get_if<Spec>(&parsed);
-        return spec != nullptr &&
-               (is_euler ? representation(spec->name).has_gimbal_lock : named && spec->name == *named);
+        const auto spec = spec_of(each.substr(0, each.find(' ')));
+        return spec && (is_euler ? representation(spec->name).has_gimbal_lock : named && spec->name == *named);
     });
 }
 
@@ -138,11 +134,9 @@ Words specs_of_parts(std::string text) {
 
 /// With the project as its modifier, where that means the same, for it says more.
 std::string with_project(const std::string& spec, const Project& project) {
-    const auto parsed = parse_spec(spec);
-    const auto named = parse_spec(fmt::format("{}:{}", spec.substr(0, spec.find(':')), project.text));
-    const auto* const own = std::get_if<Spec>(&parsed);
-    const auto* const other = std::get_if<Spec>(&named);
-    const bool is_same = own != nullptr && other != nullptr && own->text() == other->text();
+    const auto own = spec_of(spec);
+    const auto other = spec_of(fmt::format("{}:{}", spec.substr(0, spec.find(':')), project.text));
+    const bool is_same = own && other && own->text() == other->text();
     return is_same ? fmt::format("{}:{}", representation(own->name).text, project.text) : spec;
 }
 

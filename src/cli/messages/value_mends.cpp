@@ -61,7 +61,7 @@ std::vector<Mend> with_numbers_for_pi(const OptionSet& options) {
             mend.edits.push_back({{at}, 1, {made}});
         }
     }
-    return mend.edits.empty() ? std::vector<Mend>() : std::vector<Mend>{mend};
+    return Mend::unless_empty(mend);
 }
 
 std::vector<std::vector<Mend>> meant_by_values(const OptionSet& options, const stream::RowNumbers& numbers) {
@@ -100,10 +100,9 @@ std::vector<std::vector<Mend>> meant_by_values(const OptionSet& options, const s
         const auto begin = texts.begin() + static_cast<std::ptrdiff_t>(places[0]);
         const std::vector<std::string> found(begin, begin + static_cast<std::ptrdiff_t>(expected));
         mends.push_back({options.with_values(found)});
-        const Option* const from = options.find("--from");
-        if (has_open_order(*numbers.attitude) && from != nullptr) {
+        if (has_open_order(*numbers.attitude) && options.has("--from")) {
             mends.back().push_back(options.with_values(found));
-            mends.back().back().edits.push_back(OptionSet::setting(*from, "quat:xyzw"));
+            mends.back().back().edits.push_back(OptionSet::setting(*options.find("--from"), "quat:xyzw"));
         }
     }
     return mends;
