@@ -42,6 +42,9 @@ struct Mend {
     }
 };
 
+/// Those of a group are as good as each other; the first group of which one serves counts.
+using MendGroups = std::vector<std::vector<Mend>>;
+
 /// Thrown while the command line is read, with words for the user.
 class Usage : public std::runtime_error {
 public:

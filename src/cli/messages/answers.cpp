@@ -99,17 +99,17 @@ RowNamesKind names_of_rows(const stream::InputOptions& input, std::string_view t
 struct Outcome {
     bool serves = false;
     RowNamesKind names = RowNamesKind::none;
-    bool is_tried = false;                  ///< on the first rows
-    bool is_of_project = false;             ///< which has several SPECs
-    bool is_of_values = false;              ///< which mean another SPEC
-    bool guesses_spec = false;              ///< see Usage
-    std::vector<Edit> better{};             ///< the units that the rows have
-    std::vector<std::vector<Mend>> mends{}; ///< otherwise: the first group of which one serves counts
+    bool is_tried = false;      ///< on the first rows
+    bool is_of_project = false; ///< which has several SPECs
+    bool is_of_values = false;  ///< which mean another SPEC
+    bool guesses_spec = false;  ///< see Usage
+    std::vector<Edit> better{}; ///< the units that the rows have
+    MendGroups mends{};         ///< otherwise: the first group of which one serves counts
 };
 
 /// Where the numbers may be a rotation: the tolerances that may take them.
-std::vector<std::vector<Mend>> with_more_tolerance(const CommandOptions& options, const stream::RowError& error) {
-    std::vector<std::vector<Mend>> mends;
+MendGroups with_more_tolerance(const CommandOptions& options, const stream::RowError& error) {
+    MendGroups mends;
     for (const char* each : {"0.01", "0.1"}) {
         if (may_be_tolerated(options, error)) {
             mends.push_back({{{OptionSet::setting(*options.find("--tolerance"), each)}}});
@@ -146,9 +146,8 @@ struct Told {
 
 /// What may read the rows at which a run ended.
 /// @param reference the beginning of the REFERENCE
-std::vector<std::vector<Mend>> mends_of(const RowsCommand& command, const stream::RunResult& ending, const Told& told,
-                                        const std::string& text, const std::optional<std::string>& reference,
-                                        bool has_guess) {
+MendGroups mends_of(const RowsCommand& command, const stream::RunResult& ending, const Told& told,
+                    const std::string& text, const std::optional<std::string>& reference, bool has_guess) {
     using What = stream::RowError::What;
     const auto& [error, wrong] = std::tie(ending.error, told.wrong);
     if (wrong && wrong->what == What::attitude) {
@@ -158,7 +157,7 @@ std::vector<std::vector<Mend>> mends_of(const RowsCommand& command, const stream
     if (command.has_values || command.options.input.width > 0) {
         return wrong && wrong->what == What::wrong_count
                    ? messages::meant_by_values(*command.line, command.options.input.numbers)
-                   : std::vector<std::vector<Mend>>();
+                   : MendGroups();
     }
     if ((error && error->place.is_in_reference()) || (wrong && wrong->place.is_in_reference())) {
         return reference_mends(command, text, *reference);
@@ -167,7 +166,7 @@ std::vector<std::vector<Mend>> mends_of(const RowsCommand& command, const stream
         return json_mends(command, text, has_guess);
     }
     const std::size_t line = error ? error->place.line : wrong ? wrong->place.line : 0;
-    return line > 0 ? row_mends(command, text, line, has_guess, ending.answered > 0) : std::vector<std::vector<Mend>>();
+    return line > 0 ? row_mends(command, text, line, has_guess, ending.answered > 0) : MendGroups();
 }
 
 /// Runs the rows at hand, and tells nothing.

@@ -66,23 +66,20 @@ filtered_lines(std::string_view text,
 /// @param line at which reading stopped
 /// @param is_guess the SPEC is one: rows must say that they are its own
 /// @param has_answers rows before that line were answered
-[[nodiscard]] std::vector<std::vector<Mend>> row_mends(const RowsCommand& command, std::string_view beginning,
-                                                       std::size_t line, bool is_guess, bool has_answers);
+[[nodiscard]] MendGroups row_mends(const RowsCommand& command, std::string_view beginning, std::size_t line,
+                                   bool is_guess, bool has_answers);
 
 /// The same of a row whose numbers are no attitude: other columns, by their names.
-[[nodiscard]] std::vector<std::vector<Mend>> name_mends(const RowsCommand& command, std::string_view beginning,
-                                                        std::size_t line);
+[[nodiscard]] MendGroups name_mends(const RowsCommand& command, std::string_view beginning, std::size_t line);
 
 /// The same of the REFERENCE: the columns of a file without a header, which are those of a project's or of the FILE.
 /// @param text the beginning of the FILE
-[[nodiscard]] std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::string_view text,
-                                                             std::string_view beginning);
+[[nodiscard]] MendGroups reference_mends(const RowsCommand& command, std::string_view text, std::string_view beginning);
 
 /// The same where they are JSON.
-[[nodiscard]] std::vector<std::vector<Mend>> json_mends(const RowsCommand& command, std::string_view beginning,
-                                                        bool is_guess);
+[[nodiscard]] MendGroups json_mends(const RowsCommand& command, std::string_view beginning, bool is_guess);
 
 /// The same of a file of NumPy's save() with rows of doubles (numpy.lib.format, version 1): what is behind its header.
-[[nodiscard]] std::vector<std::vector<Mend>> numpy_mends(const RowsCommand& command, std::string_view bytes);
+[[nodiscard]] MendGroups numpy_mends(const RowsCommand& command, std::string_view bytes);
 
 } // namespace rotconv::cli

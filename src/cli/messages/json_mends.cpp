@@ -108,7 +108,7 @@ JsonRows rows_in_json(std::string_view text, const std::vector<std::string>& wan
 
 } // namespace
 
-std::vector<std::vector<Mend>> json_mends(const RowsCommand& command, std::string_view beginning, bool is_guess) {
+MendGroups json_mends(const RowsCommand& command, std::string_view beginning, bool is_guess) {
     const stream::InputOptions& input = command.options.input;
     const auto selected = input.columns.names();
     const bool by_name = input.columns.has_names();
@@ -125,9 +125,8 @@ std::vector<std::vector<Mend>> json_mends(const RowsCommand& command, std::strin
         return {};
     }
     Mend mend;
-    const Option* const columns = command.line->find("--columns");
-    if (columns != nullptr && (by_name || rows.is_pose)) {
-        mend.edits.push_back(command.line->setting(*columns, by_name ? "" : "1-3,5-7,9-11"));
+    if (by_name || rows.is_pose) {
+        mend.edits.push_back(OptionSet::setting(*command.line->find("--columns"), by_name ? "" : "1-3,5-7,9-11"));
     }
     return {{command.line->piped(std::move(mend), "jq -r " + in_shell(rows.filters[0]), std::nullopt)}};
 }

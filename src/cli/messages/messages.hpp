@@ -97,8 +97,7 @@ inline constexpr std::string_view nothing_read = "there was no row with an attit
 [[nodiscard]] std::vector<Mend> with_numbers_for_pi(const OptionSet& options);
 
 /// What VALUEs may mean that are not as many numbers as expected: each group a reading, the likeliest first.
-[[nodiscard]] std::vector<std::vector<Mend>> meant_by_values(const OptionSet& options,
-                                                             const stream::RowNumbers& numbers);
+[[nodiscard]] MendGroups meant_by_values(const OptionSet& options, const stream::RowNumbers& numbers);
 
 /// The command line with --from and --to for other options whose arguments are SPECs; nothing if there are none.
 [[nodiscard]] std::vector<Mend> with_specs_of_others(const OptionSet& options);

@@ -10,7 +10,7 @@
 
 namespace rotconv::cli {
 
-std::vector<std::vector<Mend>> numpy_mends(const RowsCommand& command, std::string_view bytes) {
+MendGroups numpy_mends(const RowsCommand& command, std::string_view bytes) {
     constexpr std::size_t prefix = 10; // \x93NUMPY, the version, and the size of the header
     const Option* const format = command.line->missing("--input-format");
     if (!bytes.starts_with("\x93NUMPY\x01") || bytes.size() < prefix || format == nullptr) {

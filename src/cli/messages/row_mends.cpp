@@ -144,7 +144,7 @@ public:
         : command_(&command), is_guess_(is_guess), input_(command.options.input), spec_(input_.numbers.attitude),
           count_(input_.numbers.names.size()), at_(line - 1), text_(text), rows_(rows_of(text, input_)) {}
 
-    [[nodiscard]] std::vector<std::vector<Mend>> mends(bool has_answers) {
+    [[nodiscard]] MendGroups mends(bool has_answers) {
         if (at_ >= rows_.size()) {
             return {};
         }
@@ -174,7 +174,7 @@ public:
             return std::move(mends_);
         }
         if (command_->line->has("--differences")) { // of attitudes alone
-            mends_.push_back({{{{{Edit::at_end}, 0, {"--differences"}}}}});
+            offer({{{Edit::at_end}, 0, {"--differences"}}});
         }
         const std::string_view line = rows_[at_].line.text;
         if (line.find('\t') != std::string_view::npos && line.find(' ') != std::string_view::npos) {
@@ -189,27 +189,13 @@ public:
         offer_named_lines();
         offer_labelled_lines();
         offer_text("", std::string(text_));
-        for (std::size_t i = rows_.size();
-             i-- > std::max<std::size_t>(at_, 1);) { // of several blocks of numbers the last, which is like no other
-            if (rows_[i].has_numbers && !rows_[i - 1].has_numbers) {
-                const auto is_alike = [&](const Row& row) {
-                    return row.has_numbers && row.fields.size() == rows_[i].fields.size();
-                };
-                const auto before = rows_.begin() + static_cast<std::ptrdiff_t>(i);
-                if (std::any_of(rows_.begin(), before, is_alike) && first < before) {
-                    break;
-                }
-                offer_block(i - 1, i); // with its header
-                offer_block(i, i);
-                break;
-            }
-        }
+        offer_last_block(first);
         offer_one_attitude();
         return std::move(mends_);
     }
 
     /// The columns that a header names, for a row whose numbers are no attitude.
-    [[nodiscard]] std::vector<std::vector<Mend>> mends_by_names() {
+    [[nodiscard]] MendGroups mends_by_names() {
         if (const auto above = at_ < rows_.size() ? header_above(at_) : std::nullopt) {
             offer({setting("--columns", above->list())});
         }
@@ -217,18 +203,21 @@ public:
     }
 
 private:
-    [[nodiscard]] std::optional<Edit> setting(std::string_view option, const std::string& argument) const {
-        const Option* const found = command_->line->find(option);
-        return found == nullptr ? std::nullopt : std::optional(command_->line->setting(*found, argument));
+    /// Of an option that all commands have which read rows, or --from where these are attitudes.
+    [[nodiscard]] Edit setting(std::string_view option, const std::string& argument) const {
+        return OptionSet::setting(*command_->line->find(option), argument);
     }
-    /// If the command has all these options.
-    void offer(const std::vector<std::optional<Edit>>& edits, const std::string& pipe = {}, std::string text = {},
+    void offer(const std::vector<Edit>& edits, const std::string& pipe = {}, std::string text = {},
                std::string_view others = {}) {
-        if (std::ranges::all_of(edits, [](const auto& edit) { return edit.has_value(); })) {
-            const Mend mend{mapped(edits, [](const auto& edit) { return *edit; })};
-            mends_.push_back({pipe.empty() ? mend : command_->line->piped(mend, pipe, std::move(text), others)});
-        }
+        mends_.push_back({pipe.empty() ? Mend{edits} : command_->line->piped({edits}, pipe, std::move(text), others)});
     }
+    [[nodiscard]] std::size_t place_of(const Row& row) const {
+        return static_cast<std::size_t>(row.line.text.data() - text_.data());
+    }
+
+    /// Whether a row is an attitude and nothing else.
+    [[nodiscard]] bool is_alone() const { return spec_ && spec_->size() == count_; }
+    [[nodiscard]] const std::string& from() const { return command_->line->find("--from")->text(); }
 
     /// The first with numbers that others of its width follow, or else the first.
     [[nodiscard]] std::vector<Row>::const_iterator first_row() const {
@@ -323,15 +312,14 @@ private:
         const bool are_rates = command_->line->missing("--differences") != nullptr;
         const bool has_time = are_rates || (input_.numbers.kept == 1 && count_ == spec_->size() + 1);
         if (!of_project.empty() && of_project.front() > 0 && has_time) {
-            std::vector<std::optional<Edit>> edits{setting("--columns", "1," + list_of_columns(of_project))};
+            std::vector<Edit> edits{setting("--columns", "1," + list_of_columns(of_project))};
             if (are_rates) {
-                edits.emplace_back(Edit{{Edit::at_end}, 0, {"--differences"}});
+                edits.push_back({{Edit::at_end}, 0, {"--differences"}});
             }
             offer(edits);
             return true;
         }
-        const bool is_alone = spec_ && spec_->size() == count_;
-        if (const auto above = is_alone ? header_above(row) : std::nullopt) {
+        if (const auto above = is_alone() ? header_above(row) : std::nullopt) {
             const bool is_from_one = above->known.of(above->names)[0].find('1') != std::string::npos;
             offer_in_both_orders(setting("--columns", above->list()), above->known.decides || !is_from_one);
             return above->names.size() == fields.size();
@@ -364,7 +352,7 @@ private:
         }
     }
     /// Offers columns, of a quaternion whose order nothing says with either.
-    void offer_in_both_orders(const std::optional<Edit>& columns, bool is_known, const std::string& pipe = {},
+    void offer_in_both_orders(const Edit& columns, bool is_known, const std::string& pipe = {},
                               const std::string& text = {}) {
         const std::size_t before = mends_.size();
         offer({columns}, pipe, text);
@@ -377,14 +365,14 @@ private:
     /// whose order only a header just above them tells.
     void offer_choices(std::size_t row, const std::string& pipe = {}, const std::string& text = {}) {
         const std::size_t fields = rows_[row].fields.size();
-        const bool is_alone = spec_ && spec_->size() == count_ && !input_.columns.has_names();
-        if (is_alone && spec_->name == RepresentationId::dcm) {
+        const bool may_choose = is_alone() && !input_.columns.has_names();
+        if (may_choose && spec_->name == RepresentationId::dcm) {
             offer({setting("--columns", "1-3,5-7,9-11")}, pipe, text);
         }
         const auto names = row > 0 ? rows_[row - 1].names() : std::vector<std::string>();
-        const auto above = is_alone ? header_above(row) : std::nullopt;
+        const auto above = may_choose ? header_above(row) : std::nullopt;
         const std::size_t end = std::min<std::size_t>(fields, 20); // of fields that may be one
-        for (std::size_t i = 0; is_alone && spec_->name == RepresentationId::quat && i + count_ <= end; ++i) {
+        for (std::size_t i = 0; may_choose && spec_->name == RepresentationId::quat && i + count_ <= end; ++i) {
             auto named = above                    ? std::optional(above->known)
                          : names.size() == fields ? find_names(*spec_, std::span(names).subspan(i, count_))
                                                   : std::nullopt;
@@ -403,8 +391,8 @@ private:
         const auto& fields = rows_[first].fields;
         if ((input_.columns.empty() || input_.columns.has_names()) && above && above->names.size() < fields.size() &&
             unit_quaternions(fields).size() == 1) {
-            const auto begin = static_cast<std::size_t>(rows_[first].line.text.data() - text_.data());
-            offer_choices(first, fmt::format("tail -n +{}", first + 1), std::string(text_.substr(begin)));
+            offer_choices(first, fmt::format("tail -n +{}", first + 1),
+                          std::string(text_.substr(place_of(rows_[first]))));
         }
     }
     /// The fields that are numbers, as a LIST, if others are not and they are as many as are wanted; empty if not.
@@ -449,20 +437,36 @@ private:
         }
     }
 
+    /// Offers the last of several blocks of numbers, if it is like no other.
+    void offer_last_block(std::vector<Row>::const_iterator first) {
+        std::size_t i = rows_.size();
+        while (i > 0 && !rows_[i - 1].has_numbers) {
+            --i;
+        }
+        while (i > 0 && rows_[i - 1].has_numbers) {
+            --i;
+        }
+        const auto block = rows_.cbegin() + static_cast<std::ptrdiff_t>(i);
+        const auto is_alike = [&](const Row& row) {
+            return row.has_numbers && row.fields.size() == block->fields.size();
+        };
+        if (i >= std::max<std::size_t>(at_, 1) && block != rows_.cend() &&
+            (first >= block || std::none_of(rows_.cbegin(), block, is_alike))) {
+            offer_block(i - 1, i); // with its header
+            offer_block(i, i);
+        }
+    }
     /// Offers the lines from one on, up to one after the first numbers that has none: numbers may also be described by
     /// rows.
     void offer_block(std::size_t begin, std::size_t first) {
         const auto rows = std::span(rows_).subspan(first);
         const auto end = std::ranges::find_if_not(rows, &Row::has_numbers);
         const bool is_rest = std::none_of(end, rows.end(), [](const Row& each) { return each.is_row; });
-        const auto place = [this](const Row& row) {
-            return static_cast<std::size_t>(row.line.text.data() - text_.data());
-        };
-        const std::size_t size = is_rest ? std::string_view::npos : place(*end) - place(rows_[begin]);
+        const std::size_t size = is_rest ? std::string_view::npos : place_of(*end) - place_of(rows_[begin]);
         const std::string pipe =
             is_rest ? fmt::format("tail -n +{}", begin + 1)
                     : fmt::format("sed -n {},{}p", begin + 1, first + static_cast<std::size_t>(end - rows.begin()));
-        const std::string text(text_.substr(place(rows_[begin]), size));
+        const std::string text(text_.substr(place_of(rows_[begin]), size));
         offer_text(pipe, text);
         if (begin == first) {
             offer_choices(first, pipe, text);
@@ -490,8 +494,7 @@ private:
             command += i < height ? " -" : "";
             made += std::string(lines[i].line.text) + (i % height + 1 == height ? '\n' : is_comma ? ',' : ' ');
         }
-        const auto columns =
-            width == 4 ? std::vector{setting("--columns", "1-3,5-7,9-11")} : std::vector<std::optional<Edit>>();
+        const auto columns = width == 4 ? std::vector{setting("--columns", "1-3,5-7,9-11")} : std::vector<Edit>();
         offer(columns, "grep .", made, " | " + command);
     }
 
@@ -522,7 +525,7 @@ private:
         }
     }
     /// Offers the rows that begin with a word, and others with these columns.
-    void offer_kind(const std::string& kind, const std::vector<std::optional<Edit>>& edits) {
+    void offer_kind(const std::string& kind, const std::vector<Edit>& edits) {
         std::string rows;
         char end = ' ';
         for (const Row& row : rows_) {
@@ -548,12 +551,11 @@ private:
     }
     /// Offers the rows before an end that has no numbers.
     void offer_rows_before() {
-        const auto size = static_cast<std::size_t>(rows_[at_].line.text.data() - text_.data());
         const bool is_end =
             std::none_of(rows_.begin() + static_cast<std::ptrdiff_t>(at_), rows_.end(),
                          [](const Row& row) { return std::ranges::any_of(row.fields, stream::is_number); });
         if (is_end && !is_cut()) {
-            offer({}, fmt::format("head -n {}", at_), std::string(text_.substr(0, size)));
+            offer({}, fmt::format("head -n {}", at_), std::string(text_.substr(0, place_of(rows_[at_]))));
         }
     }
     /// Whether more of the input may follow.
@@ -584,7 +586,7 @@ private:
     }
     /// Offers numbers that stand one below the other, each behind its name, perhaps with a name above them all.
     void offer_named_lines() {
-        if (spec_ && spec_->size() == count_ && command_->line->has("--columns")) {
+        if (is_alone()) {
             const std::size_t before = mends_.size();
             const auto lines = mapped(rows_, [](const Row& row) { return row.line.text; });
             const bool is_unix = text_.find('\r') == std::string_view::npos;
@@ -596,20 +598,19 @@ private:
     }
 
     void offer_labelled_lines() {
-        const Option* const from = command_->line->find("--from");
         const auto lines = mapped(rows_, [](const Row& row) { return row.line.text; });
         const auto is_named = [this](std::string_view line) {
             return lower(line).find(representation(spec_->name).text) != std::string::npos;
         };
-        if (!spec_ || spec_->size() != count_ || from == nullptr) {
+        if (!is_alone()) {
             return;
         }
         const bool by_labels = is_guess_ && std::ranges::none_of(lines, is_named);
-        const auto found = labelled_lines(lines, input_.numbers, from->text(), by_labels);
+        const auto found = labelled_lines(lines, input_.numbers, from(), by_labels);
         if (found && (!is_guess_ || found->is_named || is_named(found->line))) {
-            std::vector<std::optional<Edit>> edits{setting("--columns", found->columns)};
+            std::vector<Edit> edits{setting("--columns", found->columns)};
             if (found->is_ragged) {
-                edits.emplace_back(Edit{{Edit::at_end}, 0, {"--ragged"}});
+                edits.push_back({{Edit::at_end}, 0, {"--ragged"}});
             }
             offer(edits, found->command, found->text, found->others);
         }
@@ -620,13 +621,8 @@ private:
     void offer_one_attitude() {
         constexpr std::size_t most_lines = 200;
         constexpr std::size_t longest = 16'384;
-        const Option* const from = command_->line->find("--from");
-        if (!spec_ || spec_->size() != count_ || from == nullptr || rows_.size() > most_lines ||
-            text_.size() > longest) {
-            return;
-        }
-        const bool is_matrix = spec_->name == RepresentationId::dcm;
-        if (is_guess_ && !is_matrix) { // which proves itself
+        const bool is_matrix = spec_ && spec_->name == RepresentationId::dcm; // which proves itself
+        if (!is_alone() || rows_.size() > most_lines || text_.size() > longest || (is_guess_ && !is_matrix)) {
             return;
         }
         const std::initializer_list<std::size_t> heights = {5, 4, 3, 1}; // of a matrix and its name, or of any attitude
@@ -646,8 +642,8 @@ private:
                 const std::string_view last = rows_[i + height - 1].line.text;
                 text = {rows_[i].line.text.data(), last.data() + last.size()};
                 bool means_other = false;
-                const auto values = attitude_in(text, input_.numbers, from->text(), means_other);
-                return values && (is_matrix || !values->has_other_label); // a matrix proves itself
+                const auto values = attitude_in(text, input_.numbers, from(), means_other);
+                return values && (is_matrix || !values->has_other_label);
             };
             const auto* const height = std::ranges::find_if(heights, holds);
             if (height != heights.end()) {
@@ -698,24 +694,23 @@ private:
     std::string_view text_;
     std::vector<Row> rows_;
     std::vector<std::string> kinds_ = kinds_of_rows();
-    std::vector<std::vector<Mend>> mends_{};
+    MendGroups mends_{};
 };
 
 } // namespace
 
-std::vector<std::vector<Mend>> row_mends(const RowsCommand& command, std::string_view beginning, std::size_t line,
-                                         bool is_guess, bool has_answers) {
+MendGroups row_mends(const RowsCommand& command, std::string_view beginning, std::size_t line, bool is_guess,
+                     bool has_answers) {
     const bool is_text = beginning.find('\0') == std::string_view::npos;
     return is_text ? UnreadRows(command, beginning, line, is_guess).mends(has_answers)
                    : numpy_mends(command, beginning);
 }
 
-std::vector<std::vector<Mend>> name_mends(const RowsCommand& command, std::string_view beginning, std::size_t line) {
+MendGroups name_mends(const RowsCommand& command, std::string_view beginning, std::size_t line) {
     return UnreadRows(command, beginning, line, false).mends_by_names();
 }
 
-std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::string_view text,
-                                               std::string_view beginning) {
+MendGroups reference_mends(const RowsCommand& command, std::string_view text, std::string_view beginning) {
     const stream::InputOptions& input = command.options.pairing->reference;
     const auto& spec = input.numbers.attitude;
     const Option* const option = command.line->missing("--reference-columns");
@@ -732,9 +727,8 @@ std::vector<std::vector<Mend>> reference_mends(const RowsCommand& command, std::
         found.places.empty() && row == rows.begin() && of_file && of_file->names.size() == row->fields.size()) {
         found = of_file->known; // two files of one kind, of which one has names
     }
-    return found.places.empty()
-               ? std::vector<std::vector<Mend>>()
-               : std::vector<std::vector<Mend>>{{{{OptionSet::setting(*option, list_of_columns(found.places))}}}};
+    return found.places.empty() ? MendGroups()
+                                : MendGroups{{{{OptionSet::setting(*option, list_of_columns(found.places))}}}};
 }
 
 } // namespace rotconv::cli

@@ -64,7 +64,7 @@ std::vector<Mend> with_numbers_for_pi(const OptionSet& options) {
     return Mend::unless_empty(mend);
 }
 
-std::vector<std::vector<Mend>> meant_by_values(const OptionSet& options, const stream::RowNumbers& numbers) {
+MendGroups meant_by_values(const OptionSet& options, const stream::RowNumbers& numbers) {
     const std::size_t expected = numbers.names.size();
     const auto& values = options.values;
     const auto words_without = [text = joined(values, " ")](std::string_view separators) {
@@ -73,7 +73,7 @@ std::vector<std::vector<Mend>> meant_by_values(const OptionSet& options, const s
             words, [separators](char c) { return separators.find(c) != std::string_view::npos; }, ' ');
         return words_in(words);
     };
-    std::vector<std::vector<Mend>> mends;
+    MendGroups mends;
     if (values.size() > 1 && values[0].find(',') != std::string::npos) { // a row of several words
         mends.push_back({options.with_values({joined(values, ",")})});
     }
