@@ -107,11 +107,18 @@ struct Outcome {
     MendGroups mends{};         ///< otherwise: the first group of which one serves counts
 };
 
+constexpr double most_tolerated = 0.05;
+
+/// Typed, which people do not normalize.
+bool is_quaternion_of_any_norm(const CommandOptions& options, const stream::RowError& error) {
+    return !options.values.empty() && error.norm > 0.0 && error.defect >= most_tolerated;
+}
+
 /// Where the numbers may be a rotation: the tolerances that may take them.
 MendGroups with_more_tolerance(const CommandOptions& options, const stream::RowError& error) {
     MendGroups mends;
-    for (const char* each : {"0.01", "0.1"}) {
-        if (may_be_tolerated(options, error)) {
+    for (const char* each : {"0.01", "0.1", "inf"}) {
+        if (may_be_tolerated(options, error) && is_quaternion_of_any_norm(options, error) == (each[0] == 'i')) {
             mends.push_back({{{OptionSet::setting(*options.find("--tolerance"), each)}}});
         }
     }
@@ -125,6 +132,7 @@ struct Told {
     std::vector<Edit> noted{};    ///< those that a note has
     bool has_other_order = false; ///< than the names say
     bool is_whole_text = false;   ///< which has no header
+    std::size_t columns_line = 0; ///< of the row whose columns were taken by their names; 0: they were selected
 
     void take(const stream::Event& event, bool says_radians) {
         if (const auto* const diagnostic = std::get_if<stream::Diagnostic>(&event)) {
@@ -134,6 +142,7 @@ struct Told {
         } else if (const auto* const note = std::get_if<stream::Note>(&event)) {
             has_other_order = has_other_order || note->kind == stream::Note::Kind::order;
             is_whole_text = is_whole_text || note->kind == stream::Note::Kind::text;
+            columns_line = note->kind == stream::Note::Kind::columns ? note->place.line : columns_line;
             if (!note->words.empty()) {
                 better.push_back({{Edit::at_end}, 0, note->words});
                 noted.push_back(better.back());
@@ -185,11 +194,25 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
     const auto ending = stream::run(
         source, nullptr, options, [&](const auto& event) { told.take(event, attempt.says_radians); },
         bytes ? &reference : nullptr);
-    if (ending.answered > 0 && (!whole || (!ending.error && !told.wrong))) {
-        const auto names = command.has_values || told.is_whole_text || options.input.width > 0
-                               ? RowNamesKind::none
-                               : names_of_rows(options.input, text);
-        return {.serves = true, .names = names, .is_tried = names != RowNamesKind::others, .better = told.better};
+    using What = stream::RowError::What;
+    const bool is_done = !ending.error && !told.wrong;
+    const bool is_of_width =
+        told.wrong && (told.wrong->what == What::wrong_count || told.wrong->what == What::other_width ||
+                       told.wrong->what == What::missing_column);
+    Outcome outcome{.serves = ending.answered > 0 && (is_done || !(whole || is_of_width))};
+    if (outcome.serves) {
+        outcome.names = command.has_values || told.is_whole_text || options.input.width > 0
+                            ? RowNamesKind::none
+                            : names_of_rows(options.input, text);
+        outcome.is_tried = outcome.names != RowNamesKind::others;
+        outcome.better = told.better;
+        if (command.strict && told.columns_line > 0) { // the note counts
+            const auto named = name_mends(command, text, told.columns_line);
+            outcome.better = named.empty() ? outcome.better : named[0][0].edits;
+        }
+        if (is_done || (told.wrong && told.wrong->what == What::attitude)) {
+            return outcome;
+        }
     }
     auto mends = mends_of(command, ending, told, text, bytes, attempt.has_guess);
     if (mends.empty() && !told.noted.empty()) {
@@ -200,7 +223,9 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
             mend.edits.insert(mend.edits.end(), told.noted.begin(), told.noted.end());
         }
     }
-    return {.is_tried = true, .mends = std::move(mends)};
+    outcome.is_tried = outcome.is_tried || !outcome.serves;
+    outcome.mends = std::move(mends);
+    return outcome;
 }
 
 /// @param whole all rows at hand must be answered, not only the first
@@ -266,21 +291,67 @@ std::vector<std::string> with_dashes(std::vector<std::string> words) {
     return words;
 }
 
-/// The options that take the axes of the project after --from to those of the one after --to.
-std::vector<std::string> axes_of_projects(const std::vector<std::string>& words) {
-    std::array<const Project*, 2> projects{};
+/// Axes that people write as if they were a part of a SPEC: of navigation, with those of the body that go with them.
+constexpr auto conventions_of_axes = std::to_array<Project>({{"ned", "", "", "", "ned", "frd", "", ""},
+                                                             {"enu", "", "", "", "enu", "flu", "", ""},
+                                                             {"frd", "", "", "", "", "frd", "", ""},
+                                                             {"flu", "", "", "", "", "flu", "", ""}});
+
+const Project* convention_of_axes(std::string_view name) {
+    const auto* const found = std::ranges::find(conventions_of_axes, lower(name), &Project::text);
+    return found == conventions_of_axes.end() ? nullptr : found;
+}
+
+/// The arguments of --from and --to: places among words, 0 for what is not given.
+std::array<std::size_t, 2> specs_among(const std::vector<std::string>& words) {
+    std::array<std::size_t, 2> places{};
     for (std::size_t i = 1; i < words.size(); ++i) {
-        const std::size_t which = words[i - 1] == "-f" || words[i - 1] == "--from" ? 0
-                                  : words[i - 1] == "-t" || words[i - 1] == "--to" ? 1
-                                                                                   : 2;
-        for (const std::string_view part : which < 2 ? split(words[i], ':') : std::vector<std::string_view>()) {
-            for (const std::string_view name : {part.substr(0, part.find_first_of("-_")), part}) { // unity-quat
+        places[0] = words[i - 1] == "-f" || words[i - 1] == "--from" ? i : places[0];
+        places[1] = words[i - 1] == "-t" || words[i - 1] == "--to" ? i : places[1];
+    }
+    return places;
+}
+
+/// The options that take the axes after --from, of a project or a convention, to those after --to.
+std::vector<std::string> axes_of_specs(const std::vector<std::string>& words) {
+    std::array<const Project*, 2> named{};
+    const auto places = specs_among(words);
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::string spec = places.at(side) > 0 ? words[places.at(side)] : "";
+        for (const std::string_view part : split(spec, ':')) {
+            const auto names = {part.substr(0, part.find_first_of("-_")), part}; // unity-quat
+            for (const std::string_view name : names) {
                 const Project* const project = find_project(name);
-                projects.at(which) = project != nullptr ? project : projects.at(which);
+                const Project* const found = project != nullptr ? project : convention_of_axes(name);
+                named.at(side) = found != nullptr ? found : named.at(side);
             }
         }
     }
-    return words_in(projects[0] != nullptr && projects[1] != nullptr ? change_of_axes(*projects[0], *projects[1]) : "");
+    return words_in(named[0] != nullptr && named[1] != nullptr ? change_of_axes(*named[0], *named[1]) : "");
+}
+
+/// The words without axes that are a part of both SPECs, or the whole of one.
+std::vector<std::string> without_axes(std::vector<std::string> words) {
+    const auto places = specs_among(words);
+    std::array<std::string, 2> specs;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::string spec = places.at(side) > 0 ? words[places.at(side)] : "";
+        const auto parts = split(spec, ':');
+        const auto others = filtered(parts, [](std::string_view part) { return convention_of_axes(part) == nullptr; });
+        if (others.size() == parts.size()) {
+            return words;
+        }
+        specs.at(side) = joined(others, ":");
+    }
+    for (const std::size_t side : {places[0] < places[1] ? 1U : 0U, places[0] < places[1] ? 0U : 1U}) {
+        const auto word = words.begin() + static_cast<std::ptrdiff_t>(places.at(side));
+        if (specs.at(side).empty()) {
+            words.erase(word - 1, word + 1);
+        } else {
+            *word = specs.at(side);
+        }
+    }
+    return words;
 }
 
 /// Follows mends, one after the other.
@@ -288,8 +359,8 @@ class Search {
 public:
     explicit Search(const Attempt& wrong) {
         Attempt dashed = wrong;
-        dashed.axes = axes_of_projects(wrong.words);
-        dashed.words = with_dashes(wrong.words);
+        dashed.axes = axes_of_specs(wrong.words);
+        dashed.words = with_dashes(without_axes(wrong.words));
         follow(dashed, dashed.words == wrong.words ? 0 : 1);
     }
 
@@ -338,16 +409,17 @@ private:
             }
         }
         is_of_project_ = is_of_project_ || outcome.is_of_project;
-        if (outcome.serves && depth > 0 && !(is_choice && outcome.names == RowNamesKind::others)) {
-            keep(attempt, outcome.names);
-        }
         // the SPECs of a project are not those that others write in the same words
-        const bool is_done = outcome.serves || depth == deepest ||
-                             (outcome.is_of_values && (is_of_project_ || (attempt.has_guess && !found_.empty())));
+        const bool is_done =
+            depth == deepest || (outcome.is_of_values && (is_of_project_ || (attempt.has_guess && !found_.empty())));
         const std::size_t before = found_.size();
         for (auto group = outcome.mends.begin(); group != outcome.mends.end() && !is_done && found_.size() == before;
              ++group) {
             follow(attempt, depth, is_choice, outcome, *group);
+        }
+        if (outcome.serves && depth > 0 && found_.size() == before && // perhaps the first rows alone
+            !(is_choice && outcome.names == RowNamesKind::others)) {
+            keep(attempt, outcome.names);
         }
     }
     /// Follows mends that are as good as each other: first for a command each, then for more.
@@ -372,7 +444,7 @@ private:
                 Attempt next = attempt.after(group[i]);
                 next.has_guess = attempt.has_guess || outcome.guesses_spec;
                 next.letters = has_letters && is_first_choice ? std::optional(i) : attempt.letters;
-                next.axes = attempt.axes.empty() ? axes_of_projects(next.words) : attempt.axes;
+                next.axes = attempt.axes.empty() ? axes_of_specs(next.words) : attempt.axes;
                 most_ = one_each ? std::min(most, found_.size() + 1) : most;
                 // rows have no second mend
                 follow(next, outcome.is_tried ? deepest : depth + 1, is_choice || group.size() > 1);
@@ -391,8 +463,8 @@ private:
 } // namespace
 
 bool may_be_tolerated(const CommandOptions& options, const stream::RowError& error) {
-    constexpr double most = 0.05;
-    return error.what == stream::RowError::What::attitude && error.error == Error::defect && error.defect < most &&
+    return error.what == stream::RowError::What::attitude && error.error == Error::defect &&
+           (error.defect < most_tolerated || is_quaternion_of_any_norm(options, error)) &&
            options.missing("--tolerance") != nullptr;
 }
 

@@ -496,10 +496,15 @@ std::vector<Mend> meant_by_operand(const OptionSet& options, std::size_t at) {
     const auto table = command_table();
     for (const std::string& each : meant(word, mapped(std::span(table).subspan(1), &CommandEntry::name))) {
         const bool is_from = options.missing("--from") != nullptr;
+        const bool is_behind =
+            !options.value_words.empty() && options.value_words[0].word < at; // perhaps of the result
         if (!is_spec(each)) {
             add(mends, replaced.by(each));
-        } else if (is_from || options.missing("--to") != nullptr) {
-            add(mends, replaced.by((is_from ? "-f " : "-t ") + each));
+        } else if (is_from) {
+            add(mends, replaced.by("-f " + each));
+        }
+        if (is_spec(each) && (!is_from || is_behind) && options.missing("--to") != nullptr) {
+            add(mends, replaced.by("-t " + each));
         }
     }
     return mends;

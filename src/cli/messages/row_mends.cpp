@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <span>
@@ -73,7 +74,7 @@ constexpr auto filters = std::to_array<Filter>({
          });
          return is_list ? made : text;
      }},
-    {"sed -E 's/[*][0-9A-F]{2}$//'", // the check sum of NMEA
+    {"sed -E 's/[*][0-9A-F]{2}\\r?$//'", // the check sum of NMEA
      [](const std::string& text) {
          return filtered_lines(text, [](std::size_t, const std::string& line) {
              const std::size_t at = line.size() - std::min<std::size_t>(line.size(), 3);
@@ -84,9 +85,25 @@ constexpr auto filters = std::to_array<Filter>({
      }},
 });
 
-bool is_zero(std::string_view field) {
-    double number = 1.0;
-    return stream::read_number(field, number) == stream::NumberError::none && number == 0.0;
+using Places = std::vector<std::size_t>;
+
+std::optional<double> number_in(std::string_view field) {
+    double number = 0.0;
+    return stream::read_number(field, number) == stream::NumberError::none ? std::optional(number) : std::nullopt;
+}
+bool is_less(std::string_view a, std::string_view b) {
+    const auto first = number_in(a);
+    return first && first < number_in(b);
+}
+
+/// Whether a name differs from the one before only in a number, which is the next: sigma[0] and sigma[1].
+bool follows(const std::string& before, const std::string& name) {
+    constexpr std::string_view digits = "0123456789";
+    const std::size_t end = before.find_last_of(digits) + 1;
+    const std::size_t begin = end > 0 ? before.find_last_not_of(digits, end - 1) + 1 : 0;
+    const bool has_index = end > begin && end - begin < 3;
+    return has_index && name == fmt::format("{}{}{}", before.substr(0, begin),
+                                            std::stoi(before.substr(begin, end - begin)) + 1, before.substr(end));
 }
 
 /// Names of which some stand twice, each with a suffix that those between two repetitions share: those of two bodies,
@@ -294,7 +311,7 @@ private:
                 continue;
             }
             const std::size_t before = mends_.size();
-            for (const auto& set : sets.size() == 2 ? sets : std::vector<std::vector<std::size_t>>()) {
+            for (const auto& set : sets.size() == 2 ? sets : std::vector<Places>()) {
                 offer({setting("--columns", list_of_columns(set, names))});
             }
             join_groups(before);
@@ -302,26 +319,20 @@ private:
         }
         return false;
     }
-    /// Offers columns: by the names above the row; the only numbers among its fields; a matrix of 3x4 or 4x4; or those
-    /// that are a unit quaternion, whose order is not known. False if the names are those of other columns than the
-    /// row has.
+    /// Offers columns: by the names above the row; the only numbers among its fields; those that are an attitude, or
+    /// may be one. False if the names are those of other columns than the row has.
     bool offer_columns(std::size_t row) {
         const auto& fields = rows_[row].fields;
-        const auto of_project =
-            spec_ ? columns_of_project(*spec_, fields.size()).positions : std::vector<std::size_t>();
-        const bool are_rates = command_->line->missing("--differences") != nullptr;
-        const bool has_time = are_rates || (input_.numbers.kept == 1 && count_ == spec_->size() + 1);
-        if (!of_project.empty() && of_project.front() > 0 && has_time) {
-            std::vector<Edit> edits{setting("--columns", "1," + list_of_columns(of_project))};
-            if (are_rates) {
-                edits.push_back({{Edit::at_end}, 0, {"--differences"}});
+        const auto of_project = spec_ ? columns_of_project(*spec_, fields.size()).positions : Places();
+        if (!of_project.empty() && has_time() && of_project.front() > 0) {
+            if (const auto columns = selecting(row, of_project)) {
+                offer(*columns);
             }
-            offer(edits);
             return true;
         }
         if (const auto above = is_alone() ? header_above(row) : std::nullopt) {
             const bool is_from_one = above->known.of(above->names)[0].find('1') != std::string::npos;
-            offer_in_both_orders(setting("--columns", above->list()), above->known.decides || !is_from_one);
+            offer_in_both_orders({setting("--columns", above->list())}, above->known.decides || !is_from_one);
             return above->names.size() == fields.size();
         }
         if (const std::string numbers = numbers_among(fields); !numbers.empty()) {
@@ -330,6 +341,38 @@ private:
             offer_choices(row);
         }
         return true;
+    }
+    /// Whether each attitude has a time before it, and nothing else.
+    [[nodiscard]] bool has_time() const {
+        return are_rates_ || (spec_ && input_.numbers.kept == 1 && count_ == spec_->size() + 1);
+    }
+    /// Columns of attitudes, behind their times where these are wanted: in a column of that name, or the first one if
+    /// it has no other name or no numbers.
+    [[nodiscard]] std::optional<std::vector<Edit>> selecting(std::size_t row, Places places) const {
+        const auto names = names_above(row);
+        const auto time = std::ranges::find_if(names, is_name_of_time);
+        if (has_time() && time == names.end() && !names.empty() && number_in(rows_[row].fields[0])) {
+            return std::nullopt;
+        }
+        if (has_time()) {
+            places.insert(places.begin(), time == names.end() ? 0 : static_cast<std::size_t>(time - names.begin()));
+        }
+        std::vector<Edit> edits{setting("--columns", list_of_columns(places))};
+        if (are_rates_) {
+            edits.push_back({{Edit::at_end}, 0, {"--differences"}});
+        }
+        return edits;
+    }
+    /// Of a header as wide as the row, at most a line of units above it.
+    [[nodiscard]] std::vector<std::string> names_above(std::size_t row) const {
+        for (std::size_t i = row; i-- > 0 && i + 3 > row;) {
+            const auto names = rows_[i].is_row ? rows_[i].names() : rows_[i].without_mark().names();
+            if (!rows_[i].has_numbers && names.size() == rows_[row].fields.size() &&
+                !std::ranges::all_of(names, is_unit)) {
+                return names;
+            }
+        }
+        return {};
     }
     /// Offers every second line, if rows alternate with other ones, as in COLMAP's images.txt.
     void offer_every_second(std::size_t first) {
@@ -352,38 +395,90 @@ private:
         }
     }
     /// Offers columns, of a quaternion whose order nothing says with either.
-    void offer_in_both_orders(const Edit& columns, bool is_known, const std::string& pipe = {},
+    void offer_in_both_orders(const std::vector<Edit>& columns, bool is_known, const std::string& pipe = {},
                               const std::string& text = {}) {
         const std::size_t before = mends_.size();
-        offer({columns}, pipe, text);
-        if (has_open_order(*spec_) && !is_known && mends_.size() > before) {
-            offer({columns, setting("--from", "quat:xyzw")}, pipe, text);
+        offer(columns, pipe, text);
+        if (has_open_order(*spec_) && !is_known) {
+            auto in_other_order = columns;
+            in_other_order.push_back(setting("--from", "quat:xyzw"));
+            offer(in_other_order, pipe, text);
             join_groups(before);
         }
     }
-    /// Offers columns of a row that may be an attitude: a matrix of 3x4 or 4x4; or those that are a unit quaternion,
-    /// whose order only a header just above them tells.
+    /// Offers columns of a row that may be an attitude. A matrix, perhaps of 3x4 or 4x4, and a quaternion prove
+    /// themselves, but for the order of the latter, which only a header just above them tells. Of other numbers only
+    /// names and a time say which they are.
     void offer_choices(std::size_t row, const std::string& pipe = {}, const std::string& text = {}) {
         const std::size_t fields = rows_[row].fields.size();
-        const bool may_choose = is_alone() && !input_.columns.has_names();
-        if (may_choose && spec_->name == RepresentationId::dcm) {
+        const std::size_t size = spec_ ? spec_->size() : 0;
+        const bool may_choose = (is_alone() || (has_time() && fields > size + 1)) && !input_.columns.has_names();
+        const bool is_matrix = may_choose && spec_->name == RepresentationId::dcm;
+        if (is_matrix && !has_time()) {
             offer({setting("--columns", "1-3,5-7,9-11")}, pipe, text);
+        }
+        if (may_choose && !is_matrix && spec_->name != RepresentationId::quat) {
+            const Places likely = is_guess_ || !pipe.empty() ? Places() : likely_places(row);
+            if (const auto columns = selecting(row, likely); columns && !likely.empty()) {
+                offer(*columns);
+            }
+            return;
         }
         const auto names = row > 0 ? rows_[row - 1].names() : std::vector<std::string>();
         const auto above = may_choose ? header_above(row) : std::nullopt;
         const std::size_t end = std::min<std::size_t>(fields, 20); // of fields that may be one
-        for (std::size_t i = 0; may_choose && spec_->name == RepresentationId::quat && i + count_ <= end; ++i) {
-            auto named = above                    ? std::optional(above->known)
-                         : names.size() == fields ? find_names(*spec_, std::span(names).subspan(i, count_))
-                                                  : std::nullopt;
-            if (named && named->decides) { // in their order from here on
-                const std::size_t first = above ? std::ranges::min(named->places) : 0;
-                std::ranges::for_each(named->places, [&](std::size_t& place) { place = place - first + i; });
-                offer({setting("--columns", list_of_columns(named->places))}, pipe, text);
-            } else {
-                offer_in_both_orders(setting("--columns", fmt::format("{}-{}", i + 1, i + count_)), false, pipe, text);
+        for (std::size_t i = has_time() ? 1 : 0; may_choose && i + size <= end; ++i) {
+            const auto named = above                    ? std::optional(above->known)
+                               : names.size() == fields ? find_names(*spec_, std::span(names).subspan(i, size))
+                                                        : std::nullopt;
+            const bool is_known = named && named->decides; // in their order from here on
+            const std::size_t first = is_known && above ? std::ranges::min(named->places) : 0;
+            Places places(size);
+            for (std::size_t k = 0; k < size; ++k) {
+                places[k] = i + (is_known ? named->places[k] - first : k);
+            }
+            if (const auto columns = selecting(row, places)) {
+                offer_in_both_orders(*columns, is_known, pipe, text);
             }
         }
+    }
+    /// The only columns that names say to be the numbers, if not in their words: of one stem with indices one after the
+    /// other, of six the last; or phi, theta and psi about x, y and z. Otherwise those behind a time.
+    [[nodiscard]] Places likely_places(std::size_t row) const {
+        const std::size_t size = spec_->size();
+        const auto names = mapped(names_above(row), [](const auto& name) { return name_and_unit(name).first; });
+        const auto places_from = [size](std::size_t first) {
+            Places places(size);
+            std::iota(places.begin(), places.end(), first);
+            return places;
+        };
+        std::vector<Places> found;
+        for (std::size_t i = 0, end = 1; i < names.size(); i = end++) {
+            while (end < names.size() && follows(names[end - 1], names[end])) {
+                ++end;
+            }
+            if (end - i == size || (end - i == 6 && size == 3)) {
+                found.push_back(places_from(end - size));
+            }
+        }
+        Places of_axes;
+        for (std::size_t i = 0; i < 3 && representation(spec_->name).has_gimbal_lock; ++i) {
+            const auto* const word =
+                std::array{"phi", "theta", "psi"}.at(static_cast<std::size_t>(spec_->sequence.axis(i)));
+            const auto has_word = [&](const std::string& name) {
+                return std::ranges::count(parts_of_label(name), word) > 0;
+            };
+            const auto name = std::ranges::find_if(names, has_word);
+            if (std::ranges::count_if(names, has_word) == 1 && !spec_->sequence.proper()) {
+                of_axes.push_back(static_cast<std::size_t>(name - names.begin()));
+            }
+        }
+        if (of_axes.size() == 3) {
+            found.push_back(of_axes);
+        }
+        const bool is_behind_time = rows_[row].fields.size() == size + 1 && row + 1 < rows_.size() &&
+                                    is_less(rows_[row].fields[0], rows_[row + 1].fields[0]);
+        return found.size() == 1 ? found[0] : found.empty() && is_behind_time ? places_from(1) : Places();
     }
     /// Offers rows that have more fields than their header: dates with blanks.
     void offer_wider_rows(std::size_t first) {
@@ -480,7 +575,7 @@ private:
         const auto is_like_first = [&](const Row& row) { return row.has_numbers && row.fields.size() == width; };
         const bool is_matrix = spec_ && spec_->name == RepresentationId::dcm && width > 1;
         const bool is_whole = width == 4 && lines.size() > 3 && lines[3].fields.size() == 4 &&
-                              is_zero(lines[3].fields[0]) && is_zero(lines[3].fields[1]);
+                              number_in(lines[3].fields[0]) == 0.0 && number_in(lines[3].fields[1]) == 0.0;
         const std::size_t height = !is_matrix ? count_ : is_whole ? 4 : 3;
         if (!spec_ || !(is_matrix ? width == 3 || width == 4 : width == 1 && lines.size() == height) ||
             lines.size() % height != 0 || !std::ranges::all_of(lines, is_like_first) ||
@@ -689,8 +784,9 @@ private:
     bool is_guess_; ///< the SPEC is one
     const stream::InputOptions& input_;
     const std::optional<Spec>& spec_;
-    std::size_t count_; ///< of numbers
-    std::size_t at_;    ///< index of the line at which reading stopped
+    bool are_rates_ = command_->line->missing("--differences") != nullptr; ///< of velocities beside attitudes
+    std::size_t count_;                                                    ///< of numbers
+    std::size_t at_; ///< index of the line at which reading stopped
     std::string_view text_;
     std::vector<Row> rows_;
     std::vector<std::string> kinds_ = kinds_of_rows();
