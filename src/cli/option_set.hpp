@@ -33,6 +33,7 @@ struct Edit {
 struct Mend {
     std::vector<Edit> edits{};
     std::string pipe{};                ///< commands whose output it reads; empty: there are none
+    bool keeps_lines = false;          ///< they change characters alone: other mends may follow
     std::optional<std::string> text{}; ///< what they make of the beginning of the input, if that is known
     std::vector<Edit> order{};         ///< made once the command serves: it must not choose among more numbers
 

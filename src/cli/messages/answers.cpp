@@ -218,6 +218,9 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
     if (mends.empty() && !told.noted.empty()) {
         mends.push_back({Mend()});
     }
+    for (auto& group : mends) {
+        std::erase_if(group, [&](const Mend& mend) { return !mend.pipe.empty() && !attempt.pipe.empty(); });
+    }
     for (auto& group : mends) { // and what a note says
         for (Mend& mend : group) {
             mend.edits.insert(mend.edits.end(), told.noted.begin(), told.noted.end());
@@ -446,8 +449,8 @@ private:
                 next.letters = has_letters && is_first_choice ? std::optional(i) : attempt.letters;
                 next.axes = attempt.axes.empty() ? axes_of_specs(next.words) : attempt.axes;
                 most_ = one_each ? std::min(most, found_.size() + 1) : most;
-                // rows have no second mend
-                follow(next, outcome.is_tried ? deepest : depth + 1, is_choice || group.size() > 1);
+                const bool is_last = outcome.is_tried && !group[i].keeps_lines; // rows have no second mend
+                follow(next, is_last ? deepest : depth + 1, is_choice || group.size() > 1);
             }
         }
         most_ = most;

@@ -427,15 +427,19 @@ private:
         const auto names = row > 0 ? rows_[row - 1].names() : std::vector<std::string>();
         const auto above = may_choose ? header_above(row) : std::nullopt;
         const std::size_t end = std::min<std::size_t>(fields, 20); // of fields that may be one
-        for (std::size_t i = has_time() ? 1 : 0; may_choose && i + size <= end; ++i) {
+        const std::size_t count = may_choose && end >= size ? end - size + 1 : 0;
+        const bool has_time_first = row + 1 < rows_.size() && is_less(rows_[row].fields[0], rows_[row + 1].fields[0]);
+        for (std::size_t k = has_time() ? 1 : 0; k < count; ++k) { // a time is no component, if others may be
+            const std::size_t i = has_time_first && !has_time() ? (k + 1) % count : k;
             const auto named = above                    ? std::optional(above->known)
                                : names.size() == fields ? find_names(*spec_, std::span(names).subspan(i, size))
                                                         : std::nullopt;
             const bool is_known = named && named->decides; // in their order from here on
             const std::size_t first = is_known && above ? std::ranges::min(named->places) : 0;
             Places places(size);
-            for (std::size_t k = 0; k < size; ++k) {
-                places[k] = i + (is_known ? named->places[k] - first : k);
+            std::iota(places.begin(), places.end(), i);
+            for (std::size_t n = 0; n < size && is_known; ++n) {
+                places[n] = i + named->places[n] - first;
             }
             if (const auto columns = selecting(row, places)) {
                 offer_in_both_orders(*columns, is_known, pipe, text);
@@ -510,24 +514,16 @@ private:
                           : joined(columns);
     }
 
-    /// Offers a command that makes the text, and those that change characters in it, also with the columns of its first
-    /// row; without a command only the latter.
+    /// Offers a command that makes the text, and those that change characters in it; without a command only the latter.
     void offer_text(const std::string& pipe, const std::string& text) {
-        const auto offer_made = [this](const std::string& command, const std::string& made, const std::string& others) {
-            offer({}, command, made, others);
-            std::string_view rest = made;
-            const std::string columns = rest.empty() ? "" : numbers_among(Row(stream::next_line(rest), input_).fields);
-            if (!columns.empty()) {
-                offer({setting("--columns", columns)}, command, made, others);
-            }
-        };
         if (!pipe.empty()) {
-            offer_made(pipe, text, "");
+            offer({}, pipe, text);
         }
         for (const Filter& filter : filters) {
             const std::string command(filter.command);
             if (const std::string made = filter.of(text); made != text) {
-                offer_made(pipe.empty() ? command : pipe, made, pipe.empty() ? "" : " | " + command);
+                offer({}, pipe.empty() ? command : pipe, made, pipe.empty() ? "" : " | " + command);
+                mends_.back()[0].keeps_lines = pipe.empty();
             }
         }
     }
