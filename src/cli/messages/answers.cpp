@@ -179,7 +179,8 @@ MendGroups mends_of(const RowsCommand& command, const stream::RunResult& ending,
 }
 
 /// Runs the rows at hand, and tells nothing.
-Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std::string& text, bool whole) {
+Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std::string& text, bool whole,
+                   bool needs_mends) {
     Told told;
     stream::Options options = command.options;
     options.threads = 1;
@@ -210,9 +211,10 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
             const auto named = name_mends(command, text, told.columns_line);
             outcome.better = named.empty() ? outcome.better : named[0][0].edits;
         }
-        if (is_done || (told.wrong && told.wrong->what == What::attitude)) {
-            return outcome;
-        }
+    }
+    const bool is_of_number = outcome.serves && told.wrong && told.wrong->what == What::attitude;
+    if (is_done || is_of_number || !needs_mends) {
+        return outcome;
     }
     auto mends = mends_of(command, ending, told, text, bytes, attempt.has_guess);
     if (mends.empty() && !told.noted.empty()) {
@@ -232,7 +234,7 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
 }
 
 /// @param whole all rows at hand must be answered, not only the first
-Outcome outcome_of(const Attempt& attempt, bool whole = false) {
+Outcome outcome_of(const Attempt& attempt, bool whole = false, bool needs_mends = false) {
     try {
         const Command command = read_command_line(mapped(attempt.words, [](const std::string& word) {
             return word.starts_with(raw_word) ? std::string("/dev/null") : word;
@@ -250,8 +252,9 @@ Outcome outcome_of(const Attempt& attempt, bool whole = false) {
         const auto text = attempt.text || !attempt.pipe.empty() ? attempt.text
                           : is_pipe                             ? std::optional(stream::File::lines_of_pipe())
                                                                 : first_bytes(rows->input);
-        return rows->has_values || text ? outcome_of(*rows, attempt, text.value_or(""), whole || !attempt.pipe.empty())
-                                        : Outcome{.serves = true};
+        return rows->has_values || text
+                   ? outcome_of(*rows, attempt, text.value_or(""), whole || !attempt.pipe.empty(), needs_mends)
+                   : Outcome{.serves = true};
     } catch (const Usage& error) {
         Outcome outcome{
             .is_of_project = error.is_choice, .is_of_values = !error.specs.empty(), .guesses_spec = error.guesses_spec};
@@ -399,7 +402,7 @@ private:
         if (depth > deepest || found_.size() >= most_ || --left_ < 0) {
             return;
         }
-        Outcome outcome = outcome_of(attempt, depth == 0 || depth == deepest);
+        Outcome outcome = outcome_of(attempt, depth == 0 || depth == deepest, depth < deepest);
         if (outcome.serves && !attempt.order.empty() && outcome.names != RowNamesKind::own) {
             follow(attempt.in_order(), depth, is_choice);
             return;
@@ -495,17 +498,18 @@ std::optional<SimpleRows> simple_rows(std::string_view text) {
     return SimpleRows{std::string(1, first.delimiter.text()), is_header ? first.names() : std::vector<std::string>()};
 }
 
-std::vector<std::size_t> unit_quaternions(const std::vector<std::string_view>& fields) {
+std::vector<std::size_t> rotation_places(const std::vector<std::string_view>& fields, const Spec& spec) {
     constexpr double most_off = 2e-2; // of few digits
-    constexpr std::size_t size = 4;
+    const bool is_matrix = spec.name == RepresentationId::dcm;
     std::vector<std::size_t> places;
-    for (std::size_t i = 0; i + size <= fields.size(); ++i) {
+    for (std::size_t i = 0; i + spec.size() <= fields.size() && (is_matrix || spec.name == RepresentationId::quat);
+         ++i) {
         double square = 0.0;
-        for (const std::string_view field : std::span(fields).subspan(i, size)) {
+        for (const std::string_view field : std::span(fields).subspan(i, spec.size())) {
             double number = 2.0; // of what is none
             square += stream::read_number(field, number) == stream::NumberError::none ? number * number : 4.0;
         }
-        if (std::abs(square - 1.0) < most_off) {
+        if (std::abs(square - (is_matrix ? 3.0 : 1.0)) < most_off) {
             places.push_back(i);
         }
     }

@@ -54,8 +54,8 @@ struct SimpleRows {
 };
 /// Nothing for a text with quotes, carriage returns or a byte order mark.
 [[nodiscard]] std::optional<SimpleRows> simple_rows(std::string_view text);
-/// Where quaternions of norm 1 begin among fields.
-[[nodiscard]] std::vector<std::size_t> unit_quaternions(const std::vector<std::string_view>& fields);
+/// Where numbers begin among fields that may be a rotation by the sum of their squares: a quaternion, or a matrix.
+[[nodiscard]] std::vector<std::size_t> rotation_places(const std::vector<std::string_view>& fields, const Spec& spec);
 
 /// What a filter makes of a text, line by line from 0 on.
 [[nodiscard]] std::string

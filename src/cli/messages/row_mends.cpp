@@ -426,11 +426,12 @@ private:
         }
         const auto names = row > 0 ? rows_[row - 1].names() : std::vector<std::string>();
         const auto above = may_choose ? header_above(row) : std::nullopt;
-        const std::size_t end = std::min<std::size_t>(fields, 20); // of fields that may be one
-        const std::size_t count = may_choose && end >= size ? end - size + 1 : 0;
-        const bool has_time_first = row + 1 < rows_.size() && is_less(rows_[row].fields[0], rows_[row + 1].fields[0]);
-        for (std::size_t k = has_time() ? 1 : 0; k < count; ++k) { // a time is no component, if others may be
-            const std::size_t i = has_time_first && !has_time() ? (k + 1) % count : k;
+        auto begins = may_choose ? rotation_places(rows_[row].fields, *spec_) : Places();
+        if (!begins.empty() && begins[0] == 0 && row + 1 < rows_.size() &&
+            is_less(rows_[row].fields[0], rows_[row + 1].fields[0])) { // a time is no component, if others may be
+            std::ranges::rotate(begins, begins.begin() + 1);
+        }
+        for (const std::size_t i : begins) {
             const auto named = above                    ? std::optional(above->known)
                                : names.size() == fields ? find_names(*spec_, std::span(names).subspan(i, size))
                                                         : std::nullopt;
@@ -489,7 +490,7 @@ private:
         const auto above = header_above(first);
         const auto& fields = rows_[first].fields;
         if ((input_.columns.empty() || input_.columns.has_names()) && above && above->names.size() < fields.size() &&
-            unit_quaternions(fields).size() == 1) {
+            rotation_places(fields, *spec_).size() == 1) {
             offer_choices(first, fmt::format("tail -n +{}", first + 1),
                           std::string(text_.substr(place_of(rows_[first]))));
         }

@@ -92,10 +92,9 @@ MendGroups meant_by_values(const OptionSet& options, const stream::RowNumbers& n
         return mends;
     }
     const bool is_pose_of_ur = lower(values[0]).starts_with("p[") && texts.size() == 6;
-    const auto places = numbers.attitude->name == RepresentationId::quat
-                            ? unit_quaternions({texts.begin(), texts.end()})
-                        : is_pose_of_ur ? std::vector<std::size_t>{3}
-                                        : std::vector<std::size_t>();
+    const bool is_quat = numbers.attitude->name == RepresentationId::quat;
+    const auto places = is_pose_of_ur && !is_quat ? std::vector<std::size_t>{3}
+                                                  : rotation_places({texts.begin(), texts.end()}, *numbers.attitude);
     if (places.size() == 1) {
         const auto begin = texts.begin() + static_cast<std::ptrdiff_t>(places[0]);
         const std::vector<std::string> found(begin, begin + static_cast<std::ptrdiff_t>(expected));
