@@ -14,45 +14,42 @@ namespace rotconv::operations {
 /// The times of rows that are accepted.
 class Clock {
 public:
-    explicit Clock(int power) : power_(power), per_second_(std::pow(10.0, -power)) {}
+    /// @param power times that are no keys are in units of 10^power seconds
+    explicit Clock(int power) : per_second_(std::pow(10.0, -power)) {}
 
-    /// Seconds from the last accepted time to that of a row, its kept number; nan if it is not finite. Rounded once if
+    /// Seconds from the last accepted time to that of a row, which is kept; nan if it is not finite. Rounded once if
     /// both times are keys.
     double seconds_to(const stream::NumberRows& rows, std::size_t row) {
-        const double time = rows.kept[row];
-        if (!std::isfinite(time)) {
-            return std::numeric_limits<double>::quiet_NaN();
+        next_ = rows.kept[row];
+        const auto& [next, error] = next_.key;
+        const stream::Key last = last_.key.value;
+        if (error != stream::KeyError::none || last_.key.error != stream::KeyError::none) {
+            const double units = number_of(next_) - number_of(last_);
+            return std::isfinite(number_of(next_)) ? units / per_second_ : std::numeric_limits<double>::quiet_NaN();
         }
-        next_ = time;
-        next_key_ = rows.keys.empty() ? no_key : stream::read_key(rows.keys[row], power_);
-        is_number_ = rows.keys.empty() || rows.keys[row].find_first_of("T:") == std::string_view::npos;
-        if (next_key_.error != stream::KeyError::none || last_key_.error != stream::KeyError::none) {
-            return (next_ - last_) / per_second_;
-        }
-        const double seconds = distance(next_key_.value, last_key_.value).rounded();
-        return next_key_.value < last_key_.value ? -seconds : seconds;
+        const double seconds = distance(next, last).rounded();
+        return next < last ? -seconds : seconds;
     }
     /// @param seconds those since the previous time
     void accept(double seconds, std::size_t line) {
-        if (++times_ == 2 && is_number_) {
+        const bool is_number = next_.text.find_first_of("T:") == std::string_view::npos; // not ISO 8601
+        if (++times_ == 2 && is_number) {
             *first_step_ = {seconds, line};
         }
-        last_key_ = next_key_;
         last_ = next_;
     }
     /// See stream::RowOperation; copies share it.
     [[nodiscard]] const auto& first_step() const noexcept { return first_step_; }
 
 private:
-    static constexpr stream::ReadKey no_key{.error = stream::KeyError::not_a_number};
-    int power_;
+    [[nodiscard]] double number_of(const stream::Kept& time) const {
+        return time.key.error == stream::KeyError::none ? time.key.value.rounded() * per_second_ : time.number;
+    }
+
     double per_second_;
-    stream::ReadKey last_key_{};
-    stream::ReadKey next_key_{};
-    double last_ = 0.0;
-    double next_ = 0.0;
+    stream::Kept last_{.key = {}};
+    stream::Kept next_{};
     std::size_t times_ = 0; ///< number of accepted times
-    bool is_number_ = true; ///< the last time is a number, not ISO 8601
     std::shared_ptr<std::pair<double, std::size_t>> first_step_ = std::make_shared<std::pair<double, std::size_t>>();
 };
 

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "../stream/numbers/fmt.hpp"
 #include "between.hpp"
 #include "operations.hpp"
 
@@ -49,9 +48,7 @@ void PairFold::keep(const stream::AnsweredRows& rows, std::size_t row) {
     append(pair.attitudes[0], numbers.first(first_size_));
     append(pair.attitudes[1], is_between ? result.last(4) : numbers.subspan(first_size_));
     for (const std::size_t side : {0U, 1U}) {
-        if (const std::size_t at = 2 * row + side; rows.kept.size() > 0) {
-            pair.keys.at(side) = rows.keys.empty() ? fmt::format("{}", rows.kept[at]) : rows.keys[at];
-        }
+        pair.keys.at(side) = rows.kept.empty() ? "" : rows.kept[2 * row + side].written();
     }
     worst_.insert(std::move(pair));
     if (worst_.size() > most_) {

@@ -330,14 +330,15 @@ void count_reach(const Result& result, const std::vector<std::string>& words, co
 
 /// What the command makes of the numbers of one row alone.
 fuzz::Calculate calculate_of(const Program& program) {
-    return [operation = std::make_shared<RowOperation>(program.operation()),
-            kept = static_cast<std::ptrdiff_t>(program.options().input.numbers.kept)](
+    return [operation = std::make_shared<RowOperation>(program.operation()), input = program.options().input](
                const std::vector<double>& numbers,
                const std::vector<std::string>& texts) -> std::optional<std::vector<double>> {
         stream::NumberRows row;
-        row.kept.append(numbers.data(), numbers.data() + kept);
+        const auto kept = static_cast<std::ptrdiff_t>(input.numbers.kept);
+        if (kept > 0) {
+            row.kept = {{texts[0], stream::read_key(texts[0], input.key_power), numbers[0]}};
+        }
         row.numbers.append(numbers.data() + kept, numbers.data() + numbers.size());
-        row.keys.assign(texts.begin(), texts.begin() + kept);
         row.lines = {1};
         std::vector<double> result(operation->width());
         std::vector<RowReport> reports;

@@ -49,51 +49,34 @@ void PairReader::Stream::take_line() {
     if (next.passes) {
         return;
     }
-    const auto keep_error = [&] {
-        parts.error.place = {next.number, side};
-        next.error = std::make_unique<RowError>(std::exchange(parts.error, {}));
-    };
-    if (is_read) {
-        std::ranges::copy(parts.numbers, next.numbers.begin());
-    } else {
-        keep_error();
-    }
-    next.may_be_paired = !by_key || find_key(next, is_read);
+    next.may_be_paired = !by_key || (!parts.kept.empty() && take_key(next));
     if (next.may_be_paired) {
         pairable.push_back(&next);
-    } else {
-        keep_error();
+    }
+    if (is_read) {
+        std::ranges::copy(parts.numbers, next.numbers.begin());
+    }
+    if (!is_read || !next.may_be_paired) {
+        parts.error.place = {next.number, side};
+        next.error = std::make_unique<RowError>(std::exchange(parts.error, {}));
     }
 }
 
-bool PairReader::Stream::find_key(Waiting& row, bool is_read) {
-    std::string made; // of a double
-    std::optional<std::string_view> text;
-    if (!is_read) {
-        text = reader.key(row.line.text, parts);
-    } else if (options->width > 0) {
-        text = made = number_text(parts.kept[0]);
-    } else {
-        text = parts.keys[0];
+bool PairReader::Stream::take_key(Waiting& row) {
+    row.kept = parts.kept[0];
+    if (options->width > 0) {
+        row.kept.key = reader.key_of(number_text(row.kept.number));
     }
-    if (!text) {
-        return false;
-    }
-    const ReadKey key = reader.key_of(*text);
-    if (key.error != KeyError::none) {
-        const bool is_word = key.error == KeyError::not_a_number;
-        parts.error = {.what = is_word ? RowError::What::not_a_number : RowError::What::key,
-                       .text = std::string(*text),
-                       .key = key.error};
-    } else if (range && key.value <= range->last) {
-        parts.error = {.what = RowError::What::key_order, .text = std::string(*text)};
-    } else {
-        row.key = key.value;
-        row.key_text = made.empty() ? *text : std::string_view();
-        row.kept = is_read ? parts.kept[0] : 0.0;
-        range = {range ? range->first : key.value, key.value};
+    const auto& [key, error] = row.kept.key;
+    if (error == KeyError::none && (!range || key > range->last)) {
+        range = {range ? range->first : key, key};
         return true;
     }
+    parts.error = {.what = error == KeyError::none           ? RowError::What::key_order
+                           : error == KeyError::not_a_number ? RowError::What::not_a_number
+                                                             : RowError::What::key,
+                   .text = options->width > 0 ? number_text(row.kept.number) : std::string(row.kept.text),
+                   .key = error};
     return false;
 }
 
@@ -131,7 +114,7 @@ void PairReader::Stream::fail_row() {
 
 void PairReader::Stream::dispose_row() {
     if (by_key) {
-        disposed = pairable.front()->key;
+        disposed = pairable.front()->key();
     }
     pairable.pop_front();
 }
@@ -229,9 +212,9 @@ void PairReader::pair(Job& job, bool is_between) {
     ReadRows& read = job.pairs.read;
     read.rows.emplace_back(own.line, own.number);
     Pair& pair = read.pairs.emplace_back(
-        Pair{{other.line.text, other.number}, {later.line.text, later.number}, own.key, other.key, std::string()});
+        Pair{{other.line.text, other.number}, {later.line.text, later.number}, own.key(), other.key(), std::string()});
     if (writes_partners_) {
-        pair.partner_text = other.key_text.empty() ? number_text(other.kept) : trimmed(other.key_text);
+        pair.partner_text = other.kept.written();
     }
     const Waiting* const wrong = own.error ? &own : other.error ? &other : &later;
     if (wrong->error) {
@@ -277,23 +260,20 @@ void PairReader::add_numbers(ReadRows& read, const Waiting& later) {
     } else {
         const std::size_t earlier = place_of(other);
         read.parts.between.push_back(
-            {earlier, place_of(later), distance(own.key, other.key), distance(later.key, other.key)});
+            {earlier, place_of(later), distance(own.key(), other.key()), distance(later.key(), other.key())});
     }
     for (const Waiting* row : {&own, &other}) {
         if (pairing_->by_key) {
             read.parts.kept.push_back(row->kept);
-        }
-        if (!row->key_text.empty()) {
-            read.parts.keys.push_back(row->key_text);
         }
     }
 }
 
 void PairReader::drop_alone() {
     if (pairing_->by_key && !pairing_->interpolates) {
-        const Key& key = rows_.pairable.front()->key;
+        const Key& key = rows_.pairable.front()->key();
         if (!references_.pairable.empty()) {
-            compare_distance(distance(references_.pairable.front()->key, key));
+            compare_distance(distance(references_.pairable.front()->key(), key));
         }
         if (references_.disposed) {
             compare_distance(distance(key, *references_.disposed));
@@ -314,7 +294,7 @@ PairReader::Match PairReader::match(At row, At reference) {
     if (row == At::end || reference == At::end) {
         return row == At::end ? Match::reference_alone : Match::row_alone;
     }
-    if (!pairing_->by_key || rows_.pairable.front()->key == references_.pairable.front()->key) {
+    if (!pairing_->by_key || rows_.pairable.front()->key() == references_.pairable.front()->key()) {
         return Match::pair;
     }
     return pairing_->interpolates ? match_between() : match_nearest();
@@ -329,28 +309,29 @@ PairReader::At PairReader::look_ahead(Stream& stream) {
 }
 
 PairReader::Match PairReader::match_nearest() {
-    const bool is_before = rows_.pairable.front()->key < references_.pairable.front()->key;
+    const bool is_before = rows_.pairable.front()->key() < references_.pairable.front()->key();
     Stream& low = is_before ? rows_ : references_;
     const Stream& high = is_before ? references_ : rows_;
     const Match low_alone = is_before ? Match::row_alone : Match::reference_alone;
-    const KeyDistance apart = distance(low.pairable.front()->key, high.pairable.front()->key);
+    const KeyDistance apart = distance(low.pairable.front()->key(), high.pairable.front()->key());
     const bool has_other =
-        high.disposed && distance(low.pairable.front()->key, *high.disposed) <= apart; // no farther away
+        high.disposed && distance(low.pairable.front()->key(), *high.disposed) <= apart; // no farther away
     if (apart > pairing_->within || has_other) {
         return low_alone;
     }
     switch (look_ahead(low)) {
     case At::dry: return is_before ? Match::row_unknown : Match::reference_unknown;
     case At::too_far: return Match::ended;
-    case At::row: return distance(low.pairable[1]->key, high.pairable.front()->key) < apart ? low_alone : Match::pair;
+    case At::row:
+        return distance(low.pairable[1]->key(), high.pairable.front()->key()) < apart ? low_alone : Match::pair;
     case At::end: break;
     }
     return Match::pair;
 }
 
 PairReader::Match PairReader::match_between() {
-    const Key& key = rows_.pairable.front()->key;
-    if (key < references_.pairable.front()->key) {
+    const Key& key = rows_.pairable.front()->key();
+    if (key < references_.pairable.front()->key()) {
         return Match::row_alone;
     }
     switch (look_ahead(references_)) {
@@ -359,10 +340,10 @@ PairReader::Match PairReader::match_between() {
     case At::end: error_ = reference_error(); return error_ ? Match::ended : Match::row_alone; // it was not read
     case At::row: break;
     }
-    if (references_.pairable[1]->key <= key) {
+    if (references_.pairable[1]->key() <= key) {
         return Match::reference_alone;
     }
-    const KeyDistance apart = distance(references_.pairable[1]->key, references_.pairable.front()->key);
+    const KeyDistance apart = distance(references_.pairable[1]->key(), references_.pairable.front()->key());
     if (apart > pairing_->within) {
         compare_distance(apart);
         return Match::row_alone;

@@ -49,10 +49,10 @@ private:
         bool ends_text = false; ///< it is the last line of a text
         bool may_be_paired = false;
         std::unique_ptr<RowError> error{}; ///< why it has no key or no partner, or, if it may be paired, no numbers
-        Key key{};
-        std::string_view key_text{}; ///< empty if it is a double
-        double kept = 0.0;           ///< the key as a number
+        Kept kept{};                       ///< the key
         std::array<double, most_numbers> numbers{};
+
+        [[nodiscard]] const Key& key() const noexcept { return kept.key.value; }
     };
 
     /// Whether a row is at hand.
@@ -84,7 +84,7 @@ private:
         Stream(Side which, Source& source, const Options& all, std::size_t block_size)
             : side(which), options(which == Side::stream ? &all.input : &all.pairing->reference),
               by_key(all.pairing->by_key), blocks(source, *options, which == Side::stream ? &all : nullptr, block_size),
-              reader(*options, *layout(), by_key) {}
+              reader(*options, *layout()) {}
 
         [[nodiscard]] const Layout* layout() const { return blocks.layout(Side::stream); }
         /// Whether the `ahead`-th next row is at hand; takes lines off the text until it is.
@@ -93,8 +93,8 @@ private:
         void take_block(Job& job);
         /// Takes a line off the text, and reads its key and its numbers.
         void take_line();
-        /// Sets the key; false, with the error, if there is none.
-        [[nodiscard]] bool find_key(Waiting& row, bool is_read);
+        /// Takes the key that was read; false, with an error, if it is none, or does not increase.
+        [[nodiscard]] bool take_key(Waiting& row);
         /// Leaves the next row, which has no partner, to be handed on with an error.
         void fail_row();
         void drop_row(bool is_paired);

@@ -22,11 +22,11 @@ struct Layout {
     /// Positions of the fields that hold the numbers, in the order of the operation's; empty: 0, 1, 2...
     std::vector<std::size_t> positions{};
     static constexpr auto no_number = static_cast<std::size_t>(-1);
-    /// The number that field `first_field` + i holds, or none, up to the last selected field, if the kept ones (see
-    /// RowNumbers) come first, side by side; otherwise empty.
+    std::size_t first_field = 0; ///< the first that holds a number that is not kept (see RowNumbers)
+    /// The number, of those that are not kept, that field `first_field` + i holds, or none, up to the last selected
+    /// field; empty if the kept one is not in front of them, or a field holds two.
     std::vector<std::size_t> number_of_field{};
-    bool is_scattered = false; ///< some of these hold none
-    std::size_t first_field = 0;
+    bool is_scattered = false;             ///< some of these hold none
     std::vector<std::size_t> replaced{};   ///< the fields that the result replaces, sorted; empty: all
     bool appends = false;                  ///< the result replaces nothing, and stands at the end
     JsonKeys keys{};                       ///< keys of the other fields, with Format::json
@@ -41,21 +41,22 @@ struct Layout {
         count = number_count;
         positions = std::move(chosen);
         replaced.clear();
-        for (std::size_t i = kept; i < count && (kept > 0 || !is_whole); ++i) {
+        number_of_field.clear();
+        for (std::size_t i = kept; i < count; ++i) {
             replaced.push_back(position(i));
         }
         std::ranges::sort(replaced);
-        first_field = positions.empty() ? 0 : std::ranges::min(positions);
-        const std::size_t last = positions.empty() ? std::max<std::size_t>(count, 1) - 1 : std::ranges::max(positions);
-        is_scattered = last - first_field + 1 > count;
-        number_of_field.assign(last - first_field + 1, no_number);
-        for (std::size_t i = 0; i < count; ++i) {
-            std::size_t& number = number_of_field[position(i) - first_field];
-            if (number != no_number || (i < kept && position(i) != first_field + i)) {
-                number_of_field.clear();
-                return;
+        const bool is_twice = std::ranges::adjacent_find(replaced) != replaced.end();
+        if (!replaced.empty() && !is_twice && (kept == 0 || position(0) < replaced.front())) {
+            first_field = replaced.front();
+            number_of_field.assign(replaced.back() - first_field + 1, no_number);
+            for (std::size_t i = kept; i < count; ++i) {
+                number_of_field[position(i) - first_field] = i - kept;
             }
-            number = i;
+        }
+        is_scattered = number_of_field.size() > replaced.size();
+        if (kept == 0 && is_whole) {
+            replaced.clear();
         }
     }
     /// The position of the field that holds a number.

@@ -13,7 +13,7 @@
 #include <rotconv/continuous.hpp>
 #include <rotconv/conversion.hpp>
 
-#include "../numbers/fmt.hpp"
+#include "../numbers/number_text.hpp"
 #include "../pairs/key.hpp"
 
 namespace rotconv::stream {
@@ -23,8 +23,17 @@ struct RowNumbers {
     std::vector<std::string> names{}; ///< the numbers' names; empty: not yet known
     std::optional<Spec> attitude{};   ///< the first numbers after the kept ones, if they are an attitude
     std::optional<Spec> second{};     ///< the last numbers, if they are an attitude too
-    std::size_t kept = 0;  ///< how many of the first are also written unchanged: a time or a key, which may be ISO 8601
-    bool has_unit = false; ///< the kept ones are numbers in a unit, and ISO 8601 is an error
+    std::size_t kept = 0;  ///< 1 if the first is also written unchanged: a time or a key, which may be ISO 8601
+    bool has_unit = false; ///< the kept one is a number in a unit, and ISO 8601 is an error
+};
+
+/// The kept field of a row.
+struct Kept {
+    std::string_view text{}; ///< empty if it is a double
+    ReadKey key{.error = KeyError::not_a_number};
+    double number = 0.0; ///< known where there is no key
+
+    [[nodiscard]] std::string written() const { return text.empty() ? number_text(number) : std::string(text); }
 };
 
 /// Where a key is between those of two rows of a reference, which may be one row, with that key.
@@ -45,8 +54,7 @@ using Numbers = fmt::basic_memory_buffer<double, 64>;
 struct NumberRows {
     Numbers numbers;                          ///< row by row, without the kept ones
     std::vector<std::size_t> lines;           ///< the rows' lines
-    Numbers kept;                             ///< the kept numbers, row by row
-    std::vector<std::string_view> keys;       ///< their texts in the block; empty if rows are doubles
+    std::vector<Kept> kept;                   ///< the rows', each followed by its partner's in pairs
     std::vector<std::size_t> reference_lines; ///< the partners' lines; empty without a reference
     Numbers neighbours;                       ///< the rows of a reference that is interpolated, each once
     std::vector<InterpolatedPair> between;    ///< where each row is among them

@@ -12,7 +12,7 @@ namespace rotconv::stream {
 namespace {
 
 /// The end of the field that begins there; null where blanks delimit and it is empty, or a tab would end it.
-const char* end_of_field(const char* at, const char* line_end, Delimiter delimiter) noexcept {
+[[gnu::always_inline]] inline const char* end_of_field(const char* at, const char* line_end, Delimiter delimiter) noexcept {
     const auto size = static_cast<std::size_t>(line_end - at);
     const auto* const found = static_cast<const char*>(std::memchr(at, delimiter.text(), size));
     const char* const end = found == nullptr ? line_end : found;
@@ -59,29 +59,13 @@ std::optional<std::size_t> count_behind(const char* at, const char* line_end, De
 
 // Parts of a scan, each in one place; null, or false, where the row is not plain.
 
-/// The first field that may hold a number, or the key.
-const char* first_field_of(const Layout& layout, std::string_view line) noexcept {
-    const char* at = line.data();
-    const char* const end = at + line.size();
-    if (line.find('"') != std::string_view::npos) { // quicker than std::find
-        return nullptr;
-    }
-    for (std::size_t i = 0; i < layout.first_field; ++i, ++at) {
-        at = end_of_field(at, end, layout.delimiter);
-        if (at == nullptr || at == end) {
-            return nullptr;
-        }
+/// What follows so many fields.
+const char* behind_fields(const char* at, const char* line_end, Delimiter delimiter, std::size_t count) noexcept {
+    for (; at != nullptr && count > 0; --count) {
+        at = end_of_field(at, line_end, delimiter);
+        at = at == line_end || at == nullptr ? nullptr : at + 1;
     }
     return at;
-}
-
-/// What follows the key with which the text begins.
-const char* behind_key(Delimiter delimiter, std::string_view text) noexcept {
-    const std::size_t size = text.find(delimiter.text());
-    const std::string_view key = text.substr(0, size);
-    const bool is_plain = size < text.size() && size > 0 && trimmed(key).size() == size &&
-                          !(delimiter.is_blanks() && key.find('\t') != std::string_view::npos);
-    return is_plain ? text.data() + size + 1 : nullptr;
 }
 
 /// Whether a row whose last number ends there has the right width. One that fits without its empty fields is not plain.
@@ -98,72 +82,62 @@ bool fits(const Layout& layout, const RowWidth& width, const char* last, const c
     return behind && (width.line == 0 || fields == width.fields.all || fields == width.fields.filled);
 }
 
-/// Keeps the key, or what is kept of the numbers from that of the index on. @return the part of the other numbers
-std::string_view keep_scanned(const Layout& layout, std::size_t kept, const char* begin, const char* end,
-                              std::size_t first, RowParts& to) {
-    const char delimiter = layout.delimiter.text();
-    for (std::size_t i = 0; i < kept; ++i) {
-        const char* const stop = std::find(begin, end, delimiter);
-        to.keys.emplace_back(begin, stop);
-        to.keep(first);
-        begin = stop + 1;
-    }
-    for (std::size_t i = kept; layout.is_scattered && layout.number_of_field[i] == Layout::no_number; ++i) {
-        begin = std::find(begin, end, delimiter) + 1;
-    }
-    return {begin, end};
-}
-
 } // namespace
 
 bool RowReader::scan(std::string_view text, Row& row, RowParts& to) const {
-    const std::size_t first = to.numbers.size();
     if (options_->width > 0) {
         row.line = next_row(text, options_->width);
         row.numbers = row.line.text;
-        add_doubles(row.line.text, to.numbers);
-        for (std::size_t i = 0; i < options_->numbers.kept; ++i) {
-            to.keep(first);
-        }
+        add_doubles(row.line.text, to);
         return true;
     }
-    const bool is_whole = layout_->is_whole;
+    const Delimiter delimiter = layout_->delimiter;
+    const std::size_t kept = options_->numbers.kept;
+    const bool is_open = layout_->is_whole && kept == 0; // the last number shows where the line ends
     const char* const text_end = text.data() + text.size();
-    Line line{text, {}};
-    if (!is_whole) {
-        line = next_line(text);
-    }
+    Line line = is_open ? Line{text, {}} : next_line(text);
     const char* const line_end = line.text.data() + line.text.size();
-    const char* const begin = layout_->number_of_field.empty() ? nullptr
-                              : is_whole                       ? text.data()
-                                                               : first_field_of(*layout_, line.text);
-    const char* const first_number =
-        begin != nullptr && by_key_ ? behind_key(layout_->delimiter, {begin, line_end}) : begin;
-    if (first_number == nullptr) {
+    if (layout_->number_of_field.empty() || (!is_open && line.text.find('"') != std::string_view::npos)) {
         return false;
     }
-    const auto order = std::span(layout_->number_of_field).subspan(by_key_ ? 1 : 0);
-    to.numbers.resize(first + layout_->count);
-    to.numbers[first] = 0.0;
+    const char* begin =
+        behind_fields(line.text.data(), line_end, delimiter, kept > 0 ? layout_->position(0) : layout_->first_field);
+    Kept key;
+    if (kept > 0 && begin != nullptr) {
+        const char* const end = end_of_field(begin, line_end, delimiter);
+        key.text = end == nullptr ? std::string_view() : trimmed({begin, end});
+        key.key = key_of(key.text);
+        begin = key.key.error == KeyError::none
+                    ? behind_fields(begin, line_end, delimiter, layout_->first_field - layout_->position(0))
+                    : nullptr;
+    }
+    if (begin == nullptr) {
+        return false;
+    }
+    const std::size_t first = to.numbers.size();
+    const auto& order = layout_->number_of_field;
+    to.numbers.resize(first + layout_->count - kept);
     const auto numbers = std::span(to.numbers).subspan(first);
-    const char* const last =
-        layout_->is_scattered
-            ? scan_numbers<true>(first_number, line_end, text_end, layout_->delimiter, order, numbers)
-            : scan_numbers<false>(first_number, line_end, text_end, layout_->delimiter, order, numbers);
+    const char* const last = layout_->is_scattered
+                                 ? scan_numbers<true>(begin, line_end, text_end, delimiter, order, numbers)
+                                 : scan_numbers<false>(begin, line_end, text_end, delimiter, order, numbers);
     bool is_plain = last != nullptr;
-    if (is_plain && is_whole) {
+    if (is_plain && is_open) {
         const char* const newline = last != line_end && *last == '\r' ? last + 1 : last;
         is_plain = last == line_end || (newline != line_end && *newline == '\n');
         line = {{begin, last}, {last, newline == line_end ? line_end : newline + 1}};
     } else if (is_plain) {
-        is_plain = fits(*layout_, width_, last, line_end);
+        is_plain = layout_->is_whole ? last == line_end : fits(*layout_, width_, last, line_end);
     }
     if (!is_plain) {
         to.numbers.resize(first);
         return false;
     }
+    if (kept > 0) {
+        to.kept.push_back(key);
+    }
     row.line = line;
-    row.numbers = keep_scanned(*layout_, options_->numbers.kept, begin, last, first, to);
+    row.numbers = {begin, last};
     return true;
 }
 
@@ -184,12 +158,13 @@ bool RowReader::take_line(std::string_view& text, Row& row, RowParts& to) const 
 }
 
 bool RowReader::read(std::string_view row, RowParts& to) const {
-    const std::size_t first_number = to.numbers.size();
     const std::size_t first_field = to.fields.size();
-    if (!split(row, layout_->is_whole ? std::span<const std::size_t>() : layout_->positions, to)) {
+    if (!layout_->delimiter.split(row, to.fields)) {
+        to.error = {.what = RowError::What::open_quote, .text = std::string(row)};
         return false;
     }
-    const FieldCount count = layout_->delimiter.count(std::span(to.fields).subspan(first_field));
+    const auto fields = std::span(to.fields).subspan(first_field);
+    const FieldCount count = layout_->delimiter.count(fields);
     if (layout_->is_whole && count.filled != layout_->count) {
         to.error = {.what = RowError::What::wrong_count,
                     .text = std::string(row),
@@ -197,20 +172,33 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
                     .expected = layout_->count};
         return false;
     }
+    Kept* kept = nullptr;
+    if (options_->numbers.kept > 0 && layout_->position(0) < fields.size()) {
+        kept = &to.kept.emplace_back();
+        kept->text = layout_->delimiter.text_of(fields[layout_->position(0)]);
+        kept->key = key_of(kept->text);
+    }
+    auto missing = std::numeric_limits<std::size_t>::max(); // the first
+    for (const std::size_t at : layout_->positions) {
+        missing = at >= fields.size() ? std::min(missing, at) : missing;
+    }
+    if (missing < std::numeric_limits<std::size_t>::max()) {
+        to.error = {.what = RowError::What::missing_column,
+                    .text = std::string(row),
+                    .found = fields.size(),
+                    .expected = missing + 1};
+        return false;
+    }
     for (std::size_t i = 0; i < layout_->count; ++i) {
-        const std::string_view field = to.fields[first_field + layout_->position(i)];
-        to.numbers.push_back(0.0);
-        double& number = to.numbers[to.numbers.size() - 1];
+        const bool is_kept = i < options_->numbers.kept;
+        const std::string_view field = fields[layout_->position(i)];
+        double number = 0.0;
         NumberError error = read_number(field, number);
         if (error == NumberError::not_a_number) { // or quoted
             error = read_number(layout_->delimiter.text_of(field), number);
         }
-        KeyError key_error = KeyError::not_a_number;
-        if (error == NumberError::not_a_number && i < options_->numbers.kept) {
-            const ReadKey time = key_of(layout_->delimiter.text_of(field));
-            number = time.value.rounded();
-            key_error = time.error;
-        }
+        const bool may_be_time = is_kept && error == NumberError::not_a_number;
+        const KeyError key_error = may_be_time ? kept->key.error : KeyError::not_a_number;
         if (error != NumberError::none && key_error != KeyError::none) {
             to.error = {.what = error == NumberError::too_large       ? RowError::What::too_large
                                 : key_error == KeyError::not_a_number ? RowError::What::not_a_number
@@ -222,15 +210,16 @@ bool RowReader::read(std::string_view row, RowParts& to) const {
             }
             return false;
         }
+        if (is_kept) {
+            kept->number = number;
+        } else {
+            to.numbers.push_back(number);
+        }
     }
     if (!layout_->is_whole && width_.line > 0 && !count.fits(width_.fields)) {
         to.error = {.what = RowError::What::other_width, .text = std::string(row)};
         to.error.tell_width(count, width_);
         return false;
-    }
-    for (std::size_t i = 0; i < options_->numbers.kept; ++i) {
-        to.keys.push_back(layout_->delimiter.text_of(to.fields[first_field + layout_->position(i)]));
-        to.keep(first_number);
     }
     return true;
 }
@@ -244,42 +233,15 @@ ReadKey RowReader::key_of(std::string_view text) const {
     return key;
 }
 
-std::optional<std::string_view> RowReader::key(std::string_view row, RowParts& to) const {
-    const std::size_t first = layout_->position(0);
-    const std::size_t first_field = to.fields.size();
-    if (first == 0 && !layout_->delimiter.is_blanks() && row.find('"') == std::string_view::npos) {
-        return layout_->delimiter.text_of(row.substr(0, row.find(layout_->delimiter.text())));
-    }
-    if (!split(row, {&first, 1}, to)) {
-        return std::nullopt;
-    }
-    return layout_->delimiter.text_of(to.fields[first_field + first]);
-}
-
-bool RowReader::split(std::string_view row, std::span<const std::size_t> needed, RowParts& to) const {
-    const std::size_t first_field = to.fields.size();
-    if (!layout_->delimiter.split(row, to.fields)) {
-        to.error = {.what = RowError::What::open_quote, .text = std::string(row)};
-        return false;
-    }
-    const std::size_t count = to.fields.size() - first_field;
-    auto missing = std::numeric_limits<std::size_t>::max(); // the first
-    for (const std::size_t at : needed) {
-        missing = at >= count ? std::min(missing, at) : missing;
-    }
-    if (missing < std::numeric_limits<std::size_t>::max()) {
-        to.error = {
-            .what = RowError::What::missing_column, .text = std::string(row), .found = count, .expected = missing + 1};
-        return false;
-    }
-    return true;
-}
-
-void RowReader::add_doubles(std::string_view row, Numbers& numbers) const {
-    const std::size_t first = numbers.size();
-    numbers.resize(first + layout_->count);
+void RowReader::add_doubles(std::string_view row, RowParts& to) const {
     for (std::size_t i = 0; i < layout_->count; ++i) {
-        std::memcpy(&numbers[first + i], row.data() + layout_->position(i) * sizeof(double), sizeof(double));
+        double number = 0.0;
+        std::memcpy(&number, row.data() + layout_->position(i) * sizeof(double), sizeof(double));
+        if (i < options_->numbers.kept) {
+            to.kept.push_back({.number = number});
+        } else {
+            to.numbers.push_back(number);
+        }
     }
 }
 
@@ -291,8 +253,9 @@ std::string RowReader::selected_text(std::string_view row) const {
     const std::string_view delimiter(&character, 1);
     RowParts parts;
     if (options_->width > 0) {
-        add_doubles(row, parts.numbers);
-        return fmt::format("{}", fmt::join(parts.numbers, delimiter));
+        add_doubles(row, parts);
+        const std::string kept = parts.kept.empty() ? "" : fmt::format("{}{}", parts.kept[0].number, delimiter);
+        return fmt::format("{}{}", kept, fmt::join(parts.numbers, delimiter));
     }
     static_cast<void>(layout_->delimiter.split(row, parts.fields));
     std::vector<std::string_view> selected;

@@ -23,18 +23,9 @@ struct RowParts : NumberRows {
         numbers.clear();
         lines.clear();
         kept.clear();
-        keys.clear();
         reference_lines.clear();
         neighbours.clear();
         between.clear();
-    }
-    /// Moves the number of that index to the kept ones.
-    void keep(std::size_t index) {
-        kept.push_back(numbers[index]);
-        for (; index + 1 < numbers.size(); ++index) { // quicker than std::copy, for so few
-            numbers[index] = numbers[index + 1];
-        }
-        numbers.resize(index);
     }
 };
 
@@ -60,16 +51,15 @@ struct Row {
 /// Reads the numbers of a row.
 class RowReader {
 public:
-    /// @param by_key of rows that are scanned the kept number is a key, and only its text is read
-    RowReader(const InputOptions& options, const Layout& layout, bool by_key = false)
-        : options_(&options), layout_(&layout), by_key_(by_key) {}
+    RowReader(const InputOptions& options, const Layout& layout) : options_(&options), layout_(&layout) {}
 
     /// From here on rows of another width are errors, unless the options take them.
     void expect(const RowWidth& width) noexcept { width_ = options_->ragged ? RowWidth() : width; }
 
     /// Takes a row off the text, and adds what is read of it. Its fields are looked for only where one scan does not
     /// do.
-    /// @return whether it has numbers; otherwise it passes, or `to.error` says why, without its place
+    /// @return whether it has numbers; otherwise it passes, or `to.error` says why, without its place, and only what is
+    /// kept of it may have been added
     [[nodiscard]] bool take(std::string_view& text, Row& row, RowParts& to) const {
         const bool is_comment = options_->width == 0 && options_->is_comment(text);
         if (is_comment || !scan(text, row, to)) {
@@ -78,8 +68,6 @@ public:
         text.remove_prefix(row.line.text.size() + row.line.end.size());
         return true;
     }
-    /// The text of the first number of a row of text, which is a key; nothing where `to.error` says why.
-    [[nodiscard]] std::optional<std::string_view> key(std::string_view row, RowParts& to) const;
     /// A key as it is compared.
     [[nodiscard]] ReadKey key_of(std::string_view text) const;
     /// The fields that hold the numbers, with the delimiter between them.
@@ -95,13 +83,10 @@ private:
     /// Adds what is read of a row of text, and its fields.
     /// @return false where `to.error` says why there are no numbers; fields and numbers may be there
     [[nodiscard]] bool read(std::string_view row, RowParts& to) const;
-    /// Adds the row's fields; false, with an error, where not all of those needed are there.
-    [[nodiscard]] bool split(std::string_view row, std::span<const std::size_t> needed, RowParts& to) const;
-    void add_doubles(std::string_view row, Numbers& numbers) const;
+    void add_doubles(std::string_view row, RowParts& to) const;
 
     const InputOptions* options_;
     const Layout* layout_;
-    bool by_key_;
     RowWidth width_{};
 };
 

@@ -100,6 +100,7 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
         if (readers_[0].take(text, row, read_.parts)) {
             read_.parts.lines.push_back(row.number);
         } else if (!row.passes) {
+            read_.parts.kept.resize(read_.parts.lines.size() * options_->input.numbers.kept);
             read_.parts.error.place = {row.number};
             read_.fail(std::exchange(read_.parts.error, {}));
             if (options_->on_error == OnError::stop) {
