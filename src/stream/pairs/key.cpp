@@ -5,6 +5,7 @@
 #include <chrono>
 #include <optional>
 
+#include "../../core/text.hpp"
 #include "../numbers/fmt.hpp"
 #include "../numbers/number_text.hpp"
 #include "../numbers/scan_number.hpp"
@@ -18,8 +19,15 @@ constexpr Uint128 largest_exact = Uint128{1} << 53U;
 
 bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 
-std::string_view leading_digits(std::string_view text) noexcept {
-    return {text.begin(), std::ranges::find_if_not(text, is_digit)};
+/// Takes the leading digits off a text, and appends them to a number, of which only the last 64 bits are kept.
+std::string_view take_digits(std::string_view& text, std::uint64_t& number) noexcept {
+    std::size_t size = 0;
+    for (; size < text.size() && is_digit(text[size]); ++size) {
+        number = 10 * number + static_cast<std::uint64_t>(text[size] - '0');
+    }
+    const std::string_view digits = text.substr(0, size);
+    text.remove_prefix(size);
+    return digits;
 }
 
 /// The number after the e, bounded; nothing if there is none.
@@ -63,41 +71,27 @@ ReadKey rounded_units(std::string_view digits, std::int64_t point, int power) {
     return {.value = {units}};
 }
 
-/// The units of most keys: digits that fit 64 bits, perhaps with a point among them.
-std::optional<Int128> units_of(std::string_view text, int power) noexcept {
-    const std::string_view whole = text.substr(0, text.find('.'));
-    const std::string_view fraction = text.substr(std::min(whole.size() + 1, text.size()));
-    const std::size_t digits = whole.size() + fraction.size();
-    const int places = key_decimals + power - static_cast<int>(fraction.size());
-    std::uint64_t units = 0;
-    for (const std::string_view part : {whole, fraction}) {
-        for (const char c : part) {
-            if (!is_digit(c)) {
-                return std::nullopt;
-            }
-            units = 10 * units + static_cast<std::uint64_t>(c - '0');
-        }
-    }
-    const bool is_short = digits > 0 && digits <= 19 && places >= 0;
-    return is_short ? std::optional(Int128{units} * powers_of_ten.at(static_cast<std::size_t>(places))) : std::nullopt;
-}
-
 ReadKey decimal_key(std::string_view text, int power) {
     const bool is_negative = text.starts_with('-');
     text.remove_prefix(is_negative || text.starts_with('+') ? 1 : 0);
-    const std::string_view whole = leading_digits(text);
-    text.remove_prefix(whole.size());
-    const bool has_point = text.starts_with('.');
-    const std::string_view fraction = leading_digits(text.substr(has_point ? 1 : 0));
-    text.remove_prefix(fraction.size() + (has_point ? 1 : 0));
+    std::uint64_t number = 0;
+    const std::string_view whole = take_digits(text, number);
+    text.remove_prefix(text.starts_with('.') ? 1 : 0);
+    const std::string_view fraction = take_digits(text, number); // without a point there are none
     const auto exponent = text.empty()                       ? std::optional<std::int64_t>(0)
                           : text[0] == 'e' || text[0] == 'E' ? exponent_of(text.substr(1))
                                                              : std::nullopt;
     if (!exponent || (whole.empty() && fraction.empty())) {
         return {.error = KeyError::not_a_number};
     }
-    const auto point = static_cast<std::int64_t>(whole.size()) + *exponent;
-    ReadKey key = rounded_units(fraction.empty() ? whole : std::string(whole).append(fraction), point, power);
+    ReadKey key;
+    const int places = key_decimals + power - static_cast<int>(fraction.size());
+    if (text.empty() && whole.size() + fraction.size() <= 19 && places >= 0) { // as most are: the digits fit 64 bits
+        key.value.units = Int128{number} * powers_of_ten.at(static_cast<std::size_t>(places));
+    } else {
+        const auto point = static_cast<std::int64_t>(whole.size()) + *exponent;
+        key = rounded_units(std::string(whole).append(fraction), point, power);
+    }
     key.value.units = is_negative ? -key.value.units : key.value.units;
     return key;
 }
@@ -112,8 +106,7 @@ ReadKey time_key(std::string_view text, std::string_view form) {
     const bool has_seconds = form.substr(hour - 1).starts_with("T00:00:00");
     std::string_view fraction = text.substr(std::min(text.size(), hour + (has_seconds ? 8 : 5)));
     fraction.remove_suffix(fraction.ends_with('Z') ? 1 : fraction.ends_with("+00:00") ? 6 : 0);
-    const bool has_fraction = has_seconds && fraction.size() > 1 && fraction[0] == '.' &&
-                              leading_digits(fraction.substr(1)).size() + 1 == fraction.size();
+    const bool has_fraction = has_seconds && fraction.size() > 1 && fraction[0] == '.' && is_digits(fraction.substr(1));
     const auto number = [text](std::size_t at, std::size_t size) {
         unsigned value = 0;
         std::from_chars(text.data() + at, text.data() + at + size, value);
@@ -174,9 +167,6 @@ double ratio(KeyDistance a, KeyDistance b) {
 
 ReadKey read_key(std::string_view text, int power) {
     text = trimmed(text);
-    if (const auto units = units_of(text, power)) {
-        return {.value = {*units}};
-    }
     ReadKey key = decimal_key(text, power);
     if (key.error != KeyError::not_a_number) {
         return key;
