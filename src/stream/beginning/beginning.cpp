@@ -214,25 +214,17 @@ private:
     /// Where the numbers of a row are, if it is numeric: `positions`, `choice`, and the header that says it; or an
     /// error.
     [[nodiscard]] std::optional<Beginning> selection(const Fields& row) const {
-        Beginning made;
-        made.positions = options_.columns.positions();
         if (by_name()) {
             for (const Fields& line : Backwards{above(row)}) {
-                auto [header, found] = find_names(line, row);
-                if (!has_all(found)) {
-                    continue;
-                }
-                if (const auto* wrong = std::get_if<ColumnError>(&found)) {
-                    return error({.what = StreamError::What::columns, .column = *wrong}, line);
-                }
-                made.positions = std::get<Positions>(std::move(found));
-                if (header.width().fits(row.width()) && is_numeric(row, made.positions)) {
-                    made.header = std::move(header);
+                auto made = named(line, row);
+                if (made &&
+                    (made->error || (made->header->width().fits(row.width()) && is_numeric(row, made->positions)))) {
                     return made;
                 }
             }
             return std::nullopt;
         }
+        const Beginning made{.positions = options_.columns.positions()};
         if (!options_.columns.empty() || (has_width(row) && !options_.are_chosen)) {
             return is_numeric(row, made.positions) && !is_below_other_names(row) ? std::optional(made) : std::nullopt;
         }
@@ -382,13 +374,9 @@ private:
         Beginning made;
         for (std::size_t i = all_.size(); i-- > 0 && may_have_header() && !made.header;) {
             if (by_name()) {
-                auto [header, found] = find_names(all_[i], all_[first_]);
-                if (const auto* error = std::get_if<ColumnError>(&found); has_all(found) && error != nullptr) {
-                    return Decision::error({.what = StreamError::What::columns, .column = *error}, all_[i]);
-                }
-                if (has_all(found)) {
-                    made.positions = std::get<Positions>(std::move(found));
-                    made.header = std::move(header);
+                made = named(all_[i], all_[first_]).value_or(Beginning());
+                if (made.error) {
+                    return made;
                 }
             } else {
                 ChosenColumns found;
@@ -435,10 +423,9 @@ private:
     /// Comments alone: one of them may have the names.
     [[nodiscard]] std::optional<Beginning> of_comments() const {
         for (const Fields& line : Backwards{all_}) {
-            auto [header, found] = find_names(line, line);
-            if (auto* positions = std::get_if<Positions>(&found)) {
-                return Beginning{
-                    .header = std::move(header), .rows = line.index + 1, .positions = std::move(*positions)};
+            if (auto made = named(line, line); made && !made->error) {
+                made->rows = line.index + 1;
+                return made;
             }
         }
         return std::nullopt;
@@ -502,6 +489,18 @@ private:
                 }
             }
         }
+    }
+
+    /// The line as a header that has the selected names, and where they are; or an error, if these are not clear.
+    [[nodiscard]] std::optional<Beginning> named(const Fields& line, const Fields& row) const {
+        auto [header, found] = find_names(line, row);
+        if (!has_all(found)) {
+            return std::nullopt;
+        }
+        if (const auto* wrong = std::get_if<ColumnError>(&found)) {
+            return error({.what = StreamError::What::columns, .column = *wrong}, line);
+        }
+        return Beginning{.header = std::move(header), .positions = std::get<Positions>(std::move(found))};
     }
 
     /// What a line lacks of the selected names; a comment is parted as the rows are.
