@@ -3,9 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <set>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>

@@ -1,13 +1,11 @@
 // Numbers to and from text.
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "catch.hpp"
 #include "stream/numbers/number_text.hpp"

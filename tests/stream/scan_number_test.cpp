@@ -1,14 +1,11 @@
 // Numbers at the beginning of a text: the quick way against fast_float's own.
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
-#include <limits>
 #include <random>
 #include <stdexcept>
 #include <string>

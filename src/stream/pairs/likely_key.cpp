@@ -1,7 +1,6 @@
 #include "likely_key.hpp"
 
 #include <algorithm>
-#include <utility>
 #include <variant>
 
 #include "../../core/text.hpp"

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 
 #include "../beginning/preamble.hpp"
 #include "../bytes/io_block.hpp"
