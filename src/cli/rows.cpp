@@ -312,7 +312,7 @@ void judge(const RowsCommand& command, Reporter& reporter, RowsResult& result) {
     reporter.add(result.unpaired);
     const auto& pairing = command.options.pairing;
     if (pairing && pairing->needs_partner && pairing->by_key && !result.keys.any_pair && result.rows > 0) {
-        print_error(messages::few_keys_met(result.keys));
+        print_error(messages::few_keys_met(result.keys, *pairing));
     }
 }
 

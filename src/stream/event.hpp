@@ -150,10 +150,10 @@ struct PairingStats {
     };
     std::array<std::optional<Range>, 2> ranges{}; ///< by Side
     bool any_pair = false;
-    bool interpolates = false;            ///< `within` and `nearest` are about neighbours in the reference
-    std::optional<KeyDistance> nearest{}; ///< the smallest difference of a key without a partner and its neighbours
-    std::optional<std::string> likely{};  ///< a column that may be the key of rows paired by number: see LikelyKey
-    KeyDistance within{};                 ///< see Pairing
+    /// The smallest difference of a key without a partner and its neighbours; where the partner is interpolated, of
+    /// these.
+    std::optional<KeyDistance> nearest{};
+    std::optional<std::string> likely{}; ///< a column that may be the key of rows paired by number: see LikelyKey
 };
 
 /// Why a run ended early, other than by a row error.

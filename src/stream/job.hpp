@@ -27,9 +27,7 @@ struct Partner {
 struct Pair {
     Partner partner{};
     Partner later{}; ///< the next row of the reference, if the partner is interpolated
-    Key key{};       ///< the row's, if rows are paired by key
-    Key partner_key{};
-    std::string partner_text{}; ///< its text, if that is written
+    std::string fields{}; ///< partner_names, each after a delimiter, if they are written
 };
 
 /// Rows, and what was read of them.
@@ -38,14 +36,12 @@ struct ReadRows {
     RowParts parts;
     std::deque<RowError> errors; ///< what Row::error points to: they stay in their place
     std::vector<Pair> pairs;     ///< of each row, if they are paired
-    std::vector<std::size_t> neighbour_lines;
 
     void clear() noexcept {
         rows.clear();
         parts.clear();
         errors.clear();
         pairs.clear();
-        neighbour_lines.clear();
     }
     /// Why the last row has no numbers.
     void fail(RowError error) { rows.back().error = &errors.emplace_back(std::move(error)); }

@@ -297,7 +297,7 @@ FoundRotations found_rotations(const ConstantRotations& found, const ConversionS
 Conclusion conclusion_of(const Check& check, const RowsCommand& command, const RowsResult& result) {
     const std::size_t alone = result.unpaired[0].rows + (result.keys.any_pair ? 0 : result.unpaired[1].rows);
     if (check.rows.by_key && 2 * alone > result.rows) {
-        print_error(messages::few_keys_met(result.keys));
+        print_error(messages::few_keys_met(result.keys, *command.options.pairing));
     } else if (!has_pairs(check) && result.code == ExitCode::done) {
         print_error(check.rows.delta > 0 && result.answered > 0 ? "no pair has one after it at the distance of --delta"
                                                                 : std::string(messages::nothing_read));

@@ -213,14 +213,14 @@ std::string explain(const stream::ColumnError& error, std::string_view subject) 
     return {};
 }
 
-std::string few_keys_met(const stream::PairingStats& keys) {
-    const std::string within = keys.within.text();
+std::string few_keys_met(const stream::PairingStats& keys, const stream::Pairing& pairing) {
+    const std::string within = pairing.within.text();
     const std::string_view few = keys.any_pair ? "fewer than half of FILE's keys are" : "no key of FILE is";
-    std::string text = keys.interpolates ? fmt::format("{} between two of REFERENCE at most {} apart", few, within)
+    std::string text = pairing.interpolates ? fmt::format("{} between two of REFERENCE at most {} apart", few, within)
                        : keys.any_pair   ? fmt::format("fewer than half of FILE's keys match within {}", within)
                                          : fmt::format("{} within {} of one of REFERENCE", few, within);
     std::string mend;
-    if (keys.nearest && *keys.nearest > keys.within) {
+    if (keys.nearest && *keys.nearest > pairing.within) {
         text += fmt::format("; the nearest {}are {} apart", keys.any_pair ? "others " : "", keys.nearest->text());
         mend = ": --key-within";
     }

@@ -60,7 +60,7 @@ struct Subject {
 inline constexpr std::string_view nothing_read = "there was no row with an attitude";
 
 /// For a run in which rows were to be paired by key, and most were not.
-[[nodiscard]] std::string few_keys_met(const stream::PairingStats& keys);
+[[nodiscard]] std::string few_keys_met(const stream::PairingStats& keys, const stream::Pairing& pairing);
 
 /// A diagnostic in words, with its figure.
 [[nodiscard]] std::string describe(const stream::Diagnostic& diagnostic);

@@ -136,12 +136,13 @@ void PairReader::Stream::hold(std::size_t count, PairBlock& pairs) {
 
 PairReader::PairReader(Source& source, Source& reference, const Options& options, std::size_t block_size)
     : pairing_(&*options.pairing), writes_partners_(options.writes_partners()),
-      rows_(Side::stream, source, options, block_size),
-      references_(Side::reference, reference, options, block_size), stats_{.interpolates = pairing_->interpolates,
-                                                                           .within = pairing_->within} {}
+      rows_(Side::stream, source, options, block_size), references_(Side::reference, reference, options, block_size) {}
 
 bool PairReader::read(Job& job) {
     rows_.held = references_.held = 0;
+    for (Waiting& row : references_.waiting) {
+        row.place = Waiting::nowhere;
+    }
     for (bool has_read = false; !error_;) {
         const At row = rows_.look(0);
         const At reference = references_.look(0);
@@ -200,8 +201,8 @@ void PairReader::hand_on_alone(Job& job, bool of_both) {
 
 void PairReader::pair(Job& job, bool is_between) {
     const Waiting& own = *rows_.pairable.front();
-    const Waiting& other = *references_.pairable.front();
-    const Waiting& later = is_between ? *references_.pairable[1] : other;
+    Waiting& other = *references_.pairable.front();
+    Waiting& later = is_between ? *references_.pairable[1] : other;
     if (pairing_->looks_for_key && !pairing_->by_key && rows_.options->width == 0 && references_.options->width == 0) {
         if (!stats_.any_pair) {
             likely_key_.emplace(std::array{rows_.layout(), references_.layout()});
@@ -211,10 +212,11 @@ void PairReader::pair(Job& job, bool is_between) {
     stats_.any_pair = true;
     ReadRows& read = job.pairs.read;
     read.rows.emplace_back(own.line, own.number);
-    Pair& pair = read.pairs.emplace_back(
-        Pair{{other.line.text, other.number}, {later.line.text, later.number}, own.key(), other.key(), std::string()});
+    Pair& pair = read.pairs.emplace_back(Pair{{other.line.text, other.number}, {later.line.text, later.number}, {}});
     if (writes_partners_) {
-        pair.partner_text = other.kept.written();
+        pair.fields =
+            fmt::format("{0}{1}{0}{2}{0}{3}{4}", rows_.layout()->delimiter.text(), other.number, other.kept.written(),
+                        own.key() < other.key() ? "-" : "", distance(own.key(), other.key()).text());
     }
     const Waiting* const wrong = own.error ? &own : other.error ? &other : &later;
     if (wrong->error) {
@@ -234,22 +236,17 @@ void PairReader::pair(Job& job, bool is_between) {
     }
 }
 
-void PairReader::add_numbers(ReadRows& read, const Waiting& later) {
+void PairReader::add_numbers(ReadRows& read, Waiting& later) {
     const Waiting& own = *rows_.pairable.front();
-    const Waiting& other = *references_.pairable.front();
+    Waiting& other = *references_.pairable.front();
     const auto add = [](Numbers& to, const Waiting& row, const Stream& stream) {
-        to.append(row.numbers.data(), row.numbers.data() + stream.layout()->count - stream.options->numbers.kept);
+        const std::size_t count = stream.layout()->count - stream.options->numbers.kept;
+        to.append(row.numbers.data(), row.numbers.data() + count);
+        return to.size() / count - 1; // its place
     };
-    const auto place_of = [&](const Waiting& row) { // it is one of the last two, or comes after them
-        auto& lines = read.neighbour_lines;
-        const auto last =
-            std::find(lines.end() - std::min<std::ptrdiff_t>(std::ssize(lines), 2), lines.end(), row.number);
-        const auto place = static_cast<std::size_t>(last - lines.begin());
-        if (last == lines.end()) {
-            lines.push_back(row.number);
-            add(read.parts.neighbours, row, references_);
-        }
-        return place;
+    const auto place_of = [&](Waiting& row) {
+        row.place = row.place == Waiting::nowhere ? add(read.parts.neighbours, row, references_) : row.place;
+        return row.place;
     };
     read.rows.back().index = read.parts.lines.size();
     read.parts.lines.push_back(own.number);
@@ -262,10 +259,8 @@ void PairReader::add_numbers(ReadRows& read, const Waiting& later) {
         read.parts.between.push_back(
             {earlier, place_of(later), distance(own.key(), other.key()), distance(later.key(), other.key())});
     }
-    for (const Waiting* row : {&own, &other}) {
-        if (pairing_->by_key) {
-            read.parts.kept.push_back(row->kept);
-        }
+    if (pairing_->by_key) {
+        read.parts.kept.insert(read.parts.kept.end(), {own.kept, other.kept});
     }
 }
 

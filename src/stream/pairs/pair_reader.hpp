@@ -51,6 +51,8 @@ private:
         std::unique_ptr<RowError> error{}; ///< why it has no key or no partner, or, if it may be paired, no numbers
         Kept kept{};                       ///< the key
         std::array<double, most_numbers> numbers{};
+        static constexpr auto nowhere = static_cast<std::size_t>(-1);
+        std::size_t place = nowhere; ///< among the neighbours of the job, see NumberRows
 
         [[nodiscard]] const Key& key() const noexcept { return kept.key.value; }
     };
@@ -119,7 +121,7 @@ private:
         std::size_t line = 1;
         bool ended = false; ///< there are no more blocks
         std::deque<Waiting> waiting;
-        std::deque<const Waiting*> pairable;      ///< those that may be paired
+        std::deque<Waiting*> pairable;            ///< those that may be paired
         std::size_t bytes_waiting = 0;            ///< size of the waiting lines
         std::optional<PairingStats::Range> range; ///< the first and the last key that increased
         std::optional<Key> disposed;              ///< the key of the last row that was paired, dropped or failed
@@ -136,7 +138,7 @@ private:
     /// Pairs the first rows. `is_between`: the row lies between the first two of the reference.
     void pair(Job& job, bool is_between);
     /// Adds the numbers of a pair whose rows have them.
-    void add_numbers(ReadRows& read, const Waiting& later);
+    void add_numbers(ReadRows& read, Waiting& later);
     /// Drops FILE's next row, which has no partner, or leaves it to be handed on with an error.
     void drop_alone();
     void compare_distance(KeyDistance found);

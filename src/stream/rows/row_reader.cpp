@@ -12,7 +12,8 @@ namespace rotconv::stream {
 namespace {
 
 /// The end of the field that begins there; null where blanks delimit and it is empty, or a tab would end it.
-[[gnu::always_inline]] inline const char* end_of_field(const char* at, const char* line_end, Delimiter delimiter) noexcept {
+[[gnu::always_inline]] inline const char* end_of_field(const char* at, const char* line_end,
+                                                       Delimiter delimiter) noexcept {
     const auto size = static_cast<std::size_t>(line_end - at);
     const auto* const found = static_cast<const char*>(std::memchr(at, delimiter.text(), size));
     const char* const end = found == nullptr ? line_end : found;
@@ -20,14 +21,13 @@ namespace {
 }
 
 /// Flat, for fast_float is not inlined of itself where its callers stand in one source.
-/// @param order of the numbers; with has_others other fields may stand between them, see Layout::number_of_field
+/// @param order see Layout::number_of_field
 /// @return the place after the last number; null if one is not finite, or something else stands in its field
-template <bool has_others> [[gnu::flatten]] const char* scan_numbers(const char* at, const char* line_end,
-                                                                     const char* text_end, Delimiter delimiter,
-                                                                     std::span<const std::size_t> order,
-                                                                     std::span<double> numbers) noexcept {
+[[gnu::flatten]] const char* scan_numbers(const char* at, const char* line_end, const char* text_end,
+                                          Delimiter delimiter, std::span<const std::size_t> order,
+                                          std::span<double> numbers) noexcept {
     for (auto next = order.begin();; ++at) {
-        if (has_others && *next == Layout::no_number) {
+        if (*next == Layout::no_number) {
             at = end_of_field(at, line_end, delimiter);
         } else {
             double& number = numbers[*next];
@@ -60,7 +60,8 @@ std::optional<std::size_t> count_behind(const char* at, const char* line_end, De
 // Parts of a scan, each in one place; null, or false, where the row is not plain.
 
 /// What follows so many fields.
-const char* behind_fields(const char* at, const char* line_end, Delimiter delimiter, std::size_t count) noexcept {
+[[gnu::always_inline]] inline const char* behind_fields(const char* at, const char* line_end, Delimiter delimiter,
+                                                        std::size_t count) noexcept {
     for (; at != nullptr && count > 0; --count) {
         at = end_of_field(at, line_end, delimiter);
         at = at == line_end || at == nullptr ? nullptr : at + 1;
@@ -97,7 +98,7 @@ bool RowReader::scan(std::string_view text, Row& row, RowParts& to) const {
     const char* const text_end = text.data() + text.size();
     Line line = is_open ? Line{text, {}} : next_line(text);
     const char* const line_end = line.text.data() + line.text.size();
-    if (layout_->number_of_field.empty() || (!is_open && line.text.find('"') != std::string_view::npos)) {
+    if (layout_->number_of_field.empty() || (!layout_->is_whole && line.text.find('"') != std::string_view::npos)) {
         return false;
     }
     const char* begin =
@@ -115,12 +116,9 @@ bool RowReader::scan(std::string_view text, Row& row, RowParts& to) const {
         return false;
     }
     const std::size_t first = to.numbers.size();
-    const auto& order = layout_->number_of_field;
     to.numbers.resize(first + layout_->count - kept);
-    const auto numbers = std::span(to.numbers).subspan(first);
-    const char* const last = layout_->is_scattered
-                                 ? scan_numbers<true>(begin, line_end, text_end, delimiter, order, numbers)
-                                 : scan_numbers<false>(begin, line_end, text_end, delimiter, order, numbers);
+    const char* const last = scan_numbers(begin, line_end, text_end, delimiter, layout_->number_of_field,
+                                          std::span(to.numbers).subspan(first));
     bool is_plain = last != nullptr;
     if (is_plain && is_open) {
         const char* const newline = last != line_end && *last == '\r' ? last + 1 : last;

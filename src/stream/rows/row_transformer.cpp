@@ -42,6 +42,7 @@ RowTransformer::RowTransformer(const Options& options, const Layout& layout, con
       width_(operation_->width()), readers_{RowReader(options.input, layout)}, writer_(options, layout),
       are_doubles_alone_(options.input.width > 0 && options.format == Format::f64 && writer_.writes_results_alone() &&
                          !writer_.has_open_ends() && !options.fold && options.writes_rows),
+      no_partner_(options.writes_partners() ? fmt::format("{0}nan{0}nan{0}nan", layout.delimiter.text()) : ""),
       nans_(width_, std::numeric_limits<double>::quiet_NaN()) {
     if (reference_layout != nullptr) {
         readers_.emplace_back(options.pairing->reference, *reference_layout);
@@ -208,9 +209,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
     if (is_ours && options_->writes_rows && layout_->has_other_fields()) {
         split(row);
     }
-    if (options_->writes_partners()) {
-        write_partner(pair_of(row));
-    }
+    const Pair& pair = pair_of(row);
     const RowReport& report = report_of(row);
     const bool failed = !row.has_numbers() || report.error != Error::none;
     if (failed) {
@@ -233,22 +232,12 @@ void RowTransformer::write_row(Row& row, Output& output) {
                                                       : std::span(results_).subspan(row.index * width_, width_),
                                      .report = &report,
                                      .failed = failed,
-                                     .partner = partner_});
+                                     .partner = pair.fields.empty() ? std::string_view(no_partner_) : pair.fields});
     }
     if (!failed) {
         ++output.answered;
-        add_diagnostics(output.events, row.number, pair_of(row), report, *options_->operation);
+        add_diagnostics(output.events, row.number, pair, report, *options_->operation);
     }
-}
-
-void RowTransformer::write_partner(const Pair& pair) {
-    const char delimiter = layout_->delimiter.text();
-    if (pair.partner.number == 0) { // a row without a key
-        partner_ = fmt::format("{0}nan{0}nan{0}nan", delimiter);
-        return;
-    }
-    partner_ = fmt::format("{0}{1}{0}{2}{0}{3}{4}", delimiter, pair.partner.number, pair.partner_text,
-                           pair.key < pair.partner_key ? "-" : "", distance(pair.key, pair.partner_key).text());
 }
 
 const RowReport& RowTransformer::report_of(const Row& row) noexcept {
@@ -294,52 +283,32 @@ double RowTransformer::norm_of(Side side, std::string_view row) const {
     Row again;
     RowParts parts;
     static_cast<void>(readers_[index_of(side)].take(row, again, parts));
-    const auto q = std::span<const double>(parts.numbers).first(4);
-    const double largest = std::abs(std::ranges::max(q, {}, [](double number) { return std::abs(number); }));
-    double squares = 0.0; // scaled, so that they neither overflow nor underflow
-    for (const double number : q) {
-        squares += (number / largest) * (number / largest);
-    }
-    return largest * std::sqrt(squares);
+    const Numbers& q = parts.numbers;
+    return std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
 }
 
 void RowTransformer::split(Row& row) {
-    if (options_->input.width > 0) {
-        split_doubles(row);
-    } else if (row.field_count == 0) {
-        row.first_field = read_.parts.fields.size();
-        static_cast<void>(layout_->delimiter.split(row.line.text, read_.parts.fields));
-        row.field_count = read_.parts.fields.size() - row.first_field;
-    }
-}
-
-void RowTransformer::split_doubles(Row& row) {
-    const std::string_view bytes = row.line.text;
-    constexpr std::size_t room = 40; // for a number and the delimiter, so that the text never moves
     const std::size_t width = options_->input.width;
-    read_.parts.fields.clear();
-    row.first_field = 0;
-    row.field_count = width;
-    made_.clear();
-    made_.reserve(room * (width + 1));
-    for (std::size_t i = 0; i < width; ++i) {
-        const std::string_view field = bytes.substr(i * sizeof(double), sizeof(double));
-        if (options_->format == Format::f64) {
-            read_.parts.fields.push_back(field);
-            continue;
-        }
-        if (i > 0) {
-            made_.push_back(layout_->delimiter.text());
-        }
-        double number = 0.0;
-        std::memcpy(&number, field.data(), sizeof(double));
-        const std::size_t begin = made_.size();
-        append_number(made_, number, {});
-        read_.parts.fields.emplace_back(made_.data() + begin, made_.size() - begin);
+    auto& fields = read_.parts.fields;
+    if (row.field_count > 0) {
+        return;
     }
-    if (options_->format != Format::f64) {
-        row.line.text = {made_.data(), made_.size()};
+    row.first_field = fields.size();
+    if (width > 0 && options_->format == Format::f64) {
+        for (std::size_t i = 0; i < width; ++i) {
+            fields.push_back(row.line.text.substr(i * sizeof(double), sizeof(double)));
+        }
+    } else {
+        if (width > 0) {
+            std::vector<double> numbers(width);
+            std::memcpy(numbers.data(), row.line.text.data(), row.line.text.size());
+            made_.clear();
+            append_numbers(made_, numbers, layout_->delimiter.text(), {});
+            row.line.text = {made_.data(), made_.size()};
+        }
+        static_cast<void>(layout_->delimiter.split(row.line.text, fields));
     }
+    row.field_count = fields.size() - row.first_field;
 }
 
 } // namespace rotconv::stream

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -73,9 +72,6 @@ private:
     /// Looks for the fields of a row, unless they are known. A binary row's fields are its numbers' bytes, or their
     /// text if the output is text: the row becomes that text.
     void split(Row& row);
-    void split_doubles(Row& row);
-    /// Sets `partner_` for a row.
-    void write_partner(const Pair& pair);
 
     const Options* options_;
     const Layout* layout_;
@@ -92,7 +88,7 @@ private:
     Numbers results_;
     std::vector<RowReport> reports_; ///< one for each remarkable row
     std::size_t next_report_ = 0;    ///< index of the first report that is not yet written
-    std::string partner_;            ///< the fields partner_names of the row
+    std::string no_partner_;         ///< the fields partner_names of a row that has none
     std::vector<double> nans_;       ///< the result of a failed row
 };
 
