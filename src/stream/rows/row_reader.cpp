@@ -11,13 +11,13 @@
 namespace rotconv::stream {
 namespace {
 
-/// The end of the field that begins there; null where blanks delimit and it is empty, or a tab would end it.
+/// The end of the field that begins there; null where blanks delimit and it is empty.
 [[gnu::always_inline]] inline const char* end_of_field(const char* at, const char* line_end,
                                                        Delimiter delimiter) noexcept {
     const auto size = static_cast<std::size_t>(line_end - at);
     const auto* const found = static_cast<const char*>(std::memchr(at, delimiter.text(), size));
     const char* const end = found == nullptr ? line_end : found;
-    return delimiter.is_blanks() && (end == at || std::find(at, end, '\t') != end) ? nullptr : end;
+    return delimiter.is_blanks() && end == at ? nullptr : end;
 }
 
 /// Flat, for fast_float is not inlined of itself where its callers stand in one source.
@@ -98,7 +98,9 @@ bool RowReader::scan(std::string_view text, Row& row, RowParts& to) const {
     const char* const text_end = text.data() + text.size();
     Line line = is_open ? Line{text, {}} : next_line(text);
     const char* const line_end = line.text.data() + line.text.size();
-    if (layout_->number_of_field.empty() || (!layout_->is_whole && line.text.find('"') != std::string_view::npos)) {
+    const bool has_quotes = !layout_->is_whole && line.text.find('"') != std::string_view::npos;
+    const bool has_tabs = !is_open && delimiter.is_blanks() && line.text.find('\t') != std::string_view::npos;
+    if (layout_->number_of_field.empty() || has_quotes || has_tabs) {
         return false;
     }
     const char* begin =
