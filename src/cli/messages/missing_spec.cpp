@@ -12,9 +12,9 @@
 #include "../../core/projects.hpp"
 #include "../../operations/operations.hpp"
 #include "../../stream/beginning/header_line.hpp"
-#include "../../stream/beginning/preamble.hpp"
 #include "../../stream/bytes/file.hpp"
 #include "../../stream/numbers/number_text.hpp"
+#include "../../stream/rows/row_blocks.hpp"
 #include "../grammar/column_names.hpp"
 #include "../grammar/values.hpp"
 #include "answers.hpp"
@@ -91,12 +91,12 @@ std::vector<std::string> specs_of_file(const std::string& name, const std::strin
                                          return find_names(*messages::spec_of(spec), names).has_value();
                                      })};
     };
-    stream::Preamble preamble(input);
-    stream::IoBlock block;
-    block.text = stream::without_byte_order_mark(bytes);
-    stream::Output nowhere;
-    preamble.read(block, true, nowhere);
-    const stream::Line line = preamble.has_row() ? stream::next_line(block.text) : stream::Line();
+    stream::TextSource source(bytes);
+    stream::RowBlocks blocks(source, input, nullptr, stream::IoBlockReader::largest_block);
+    stream::Job job;
+    while (!blocks.has_row() && blocks.read(job)) {
+    }
+    const stream::Line line = blocks.has_row() ? stream::next_line(job.block.text) : stream::Line();
     const stream::HeaderLine row(line, stream::Delimiter::of_row(line.text));
     if (2 * std::ranges::count_if(row.fields, stream::is_number) <= std::ranges::ssize(row.fields)) {
         const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
@@ -105,7 +105,7 @@ std::vector<std::string> specs_of_file(const std::string& name, const std::strin
         said += fmt::format("; {} {}", name, is_json ? "looks like JSON" : "does not begin with a row of numbers");
         return {possible_specs.begin(), possible_specs.end()}; // the whole may be one attitude
     }
-    const std::vector<std::string>& header = preamble.layout().names;
+    const std::vector<std::string>& header = blocks.layout(stream::Side::stream)->names;
     const auto names = header.empty() ? std::vector<std::string>(row.fields.begin(), row.fields.end()) : header;
     said += fmt::format("; {} has {}: {}", name, counted(row.fields.size(), "column"), numbered(names));
     std::vector<std::string> specs;

@@ -14,7 +14,6 @@
 #include "../../core/projects.hpp"
 #include "../../operations/operations.hpp"
 #include "../../stream/beginning/header_line.hpp"
-#include "../../stream/beginning/preamble.hpp"
 #include "../../stream/bytes/file.hpp"
 #include "../../stream/numbers/number_text.hpp"
 #include "../grammar/column_names.hpp"

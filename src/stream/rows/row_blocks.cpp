@@ -1,4 +1,4 @@
-#include "preamble.hpp"
+#include "row_blocks.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "../rows/row_writer.hpp"
+#include "row_writer.hpp"
 
 namespace rotconv::stream {
 namespace {
@@ -18,7 +18,8 @@ constexpr std::size_t most_behind = std::size_t{128} << 10U; ///< bytes of blank
 
 } // namespace
 
-Preamble::Preamble(const InputOptions& options, const Options* written) : options_(&options), written_(written) {
+RowBlocks::RowBlocks(Source& source, const InputOptions& options, const Options* written, std::size_t block_size)
+    : blocks_(source, options.width * sizeof(double), block_size), options_(&options), written_(written) {
     layout_.appends = written != nullptr && written->append;
     layout_.is_whole = options.columns.empty() && !options.are_chosen;
     if (!options.columns.has_names()) {
@@ -26,10 +27,15 @@ Preamble::Preamble(const InputOptions& options, const Options* written) : option
     }
 }
 
-void Preamble::read(IoBlock& block, bool is_end, Output& output) {
-    if (has_row_ || error_) {
-        return;
+bool RowBlocks::read(Job& job) {
+    const bool goes_on = blocks_.read(job.block);
+    if (!has_row_ && !error_) {
+        find_rows(job.block, !goes_on && !blocks_.error(), job.output);
     }
+    return goes_on && !error();
+}
+
+void RowBlocks::find_rows(IoBlock& block, bool is_end, Output& output) {
     if (options_->width > 0) {
         has_row_ = !block.text.empty();
         if (has_row_) {
@@ -68,7 +74,7 @@ void Preamble::read(IoBlock& block, bool is_end, Output& output) {
     }
 }
 
-std::optional<Beginning> Preamble::hold(std::string_view& text, Output& output) {
+std::optional<Beginning> RowBlocks::hold(std::string_view& text, Output& output) {
     while (!text.empty()) {
         const std::string_view from = text;
         const Line line = next_line(text);
@@ -114,7 +120,7 @@ std::optional<Beginning> Preamble::hold(std::string_view& text, Output& output) 
     return std::nullopt;
 }
 
-std::vector<Line> Preamble::held_lines() const {
+std::vector<Line> RowBlocks::held_lines() const {
     std::vector<Line> lines;
     for (std::string_view text = held_; !text.empty();) {
         lines.push_back(next_line(text));
@@ -122,7 +128,7 @@ std::vector<Line> Preamble::held_lines() const {
     return lines;
 }
 
-std::vector<Line> Preamble::looked_at_lines() const {
+std::vector<Line> RowBlocks::looked_at_lines() const {
     auto lines = held_lines();
     std::size_t rows = 0;
     const auto end = std::ranges::find_if(
@@ -131,11 +137,11 @@ std::vector<Line> Preamble::looked_at_lines() const {
     return lines;
 }
 
-std::size_t Preamble::number_of(const Line& line) const {
+std::size_t RowBlocks::number_of(const Line& line) const {
     return held_line_ + static_cast<std::size_t>(std::count(held_.data(), line.text.data(), '\n'));
 }
 
-std::string_view Preamble::start(const Beginning& beginning, std::size_t& first_line, Output& output) {
+std::string_view RowBlocks::start(const Beginning& beginning, std::size_t& first_line, Output& output) {
     const std::string_view held = held_;
     if (beginning.error) {
         error_ = beginning.error;
@@ -176,7 +182,7 @@ std::string_view Preamble::start(const Beginning& beginning, std::size_t& first_
     return held.substr(before.size());
 }
 
-void Preamble::start_below(const HeaderLine& header, const HeaderLine* units, Output& output) {
+void RowBlocks::start_below(const HeaderLine& header, const HeaderLine* units, Output& output) {
     header_line_ = number_of(header.line);
     if (const auto names = header.names_at(layout_.positions); names && names->size() == layout_.count) {
         HeaderFacts said{.names = *names, .header = header.names()};
@@ -205,7 +211,7 @@ void Preamble::start_below(const HeaderLine& header, const HeaderLine* units, Ou
     layout_.header = {header.width(), header_line_};
 }
 
-bool Preamble::read_as_one(IoBlock& block, Output& output) {
+bool RowBlocks::read_as_one(IoBlock& block, Output& output) {
     auto read = options_->read_text && looked_at_ > 0 ? options_->read_text(held_) : std::nullopt;
     if (!read) {
         return false;
@@ -224,7 +230,7 @@ bool Preamble::read_as_one(IoBlock& block, Output& output) {
     return true;
 }
 
-void Preamble::finish(Output& output, bool at_end) {
+void RowBlocks::finish(Output& output, bool at_end) {
     if (has_row_) {
         return;
     }
@@ -237,13 +243,13 @@ void Preamble::finish(Output& output, bool at_end) {
     }
 }
 
-void Preamble::pass(std::string_view text, Output& output) const {
+void RowBlocks::pass(std::string_view text, Output& output) const {
     if (is_written()) {
         append(output.bytes, text);
     }
 }
 
-void Preamble::tell_passed(std::string_view text) {
+void RowBlocks::tell_passed(std::string_view text) {
     HeaderFacts said;
     std::size_t first = 0;
     for (std::size_t line = held_line_; !text.empty(); ++line) {
@@ -258,7 +264,7 @@ void Preamble::tell_passed(std::string_view text) {
     }
 }
 
-void Preamble::add_notes(const HeaderFacts& said, std::size_t line) {
+void RowBlocks::add_notes(const HeaderFacts& said, std::size_t line) {
     if (!options_->notes_of) {
         return;
     }
@@ -268,7 +274,7 @@ void Preamble::add_notes(const HeaderFacts& said, std::size_t line) {
     }
 }
 
-void Preamble::keep_names(const HeaderLine& header) {
+void RowBlocks::keep_names(const HeaderLine& header) {
     if (written_ == nullptr || !written_->operation->keeps_names) {
         return;
     }
@@ -285,7 +291,7 @@ void Preamble::keep_names(const HeaderLine& header) {
     }
 }
 
-void Preamble::set_layout(const HeaderLine* row, std::size_t number, Output& output) {
+void RowBlocks::set_layout(const HeaderLine* row, std::size_t number, Output& output) {
     const std::size_t known = options_->width > 0 ? options_->width : options_->columns.empty() ? layout_.count : 0;
     layout_.delimiter = row != nullptr ? row->delimiter : options_->delimiter.value_or(Delimiter::character(','));
     layout_.field_count = row != nullptr ? row->fields.size() : known;
