@@ -8,14 +8,6 @@
 namespace rotconv::operations {
 namespace {
 
-/// Copies rows of `size` numbers to their places among rows of `width`.
-void scatter(std::span<const double> from, std::size_t size, std::span<const std::size_t> rows, std::span<double> to,
-             std::size_t width) {
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        std::copy_n(from.data() + i * size, size, to.data() + rows[i] * width);
-    }
-}
-
 /// The function of rows whose second attitude is interpolated in a reference, see stream::Pairing.
 class BetweenRows {
 public:
@@ -159,9 +151,11 @@ void RowSubset::run(std::size_t size, std::span<double> to, std::size_t width, s
     stream::NumberRows held;
     held.numbers.append(numbers);
     function(held, out, reports, out_rest);
-    scatter(out, size, rows, to, width);
-    if (!rest.empty()) {
-        scatter(out_rest, size, rows, rest, width);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        std::copy_n(out.data() + i * size, size, to.data() + rows[i] * width);
+        if (!rest.empty()) {
+            std::copy_n(out_rest.data() + i * size, size, rest.data() + rows[i] * width);
+        }
     }
     std::ranges::for_each(reports, [this](RowReport& report) { report.row = rows[report.row]; });
 }

@@ -128,8 +128,8 @@ void PairReader::Stream::drop_line() {
     waiting.pop_front();
 }
 
-void PairReader::Stream::hold(std::size_t count, PairBlock& pairs) {
-    for (; held < count; ++held) {
+void PairReader::Stream::hold(PairBlock& pairs) {
+    for (; held < texts.size(); ++held) {
         pairs.texts.push_back(texts[held]);
     }
 }
@@ -191,7 +191,7 @@ void PairReader::hand_on_alone(Job& job, bool of_both) {
                 if (first.error) {
                     pairs.read.fail(std::move(*first.error));
                 }
-                stream->hold(1, pairs);
+                stream->hold(pairs);
             }
             pairs.bytes += first.line.text.size() + 1;
             stream->drop_line();
@@ -228,8 +228,8 @@ void PairReader::pair(Job& job, bool is_between) {
         add_numbers(read, later);
     }
     job.pairs.bytes += own.line.text.size() + other.line.text.size() + later.line.text.size();
-    rows_.hold(1, job.pairs);
-    references_.hold(is_between ? references_.texts.size() : 1, job.pairs);
+    rows_.hold(job.pairs);
+    references_.hold(job.pairs);
     rows_.drop_row(true);
     if (!pairing_->interpolates) {
         references_.drop_row(true);

@@ -103,8 +103,8 @@ private:
         /// Takes the next row out of those that may be paired.
         void dispose_row();
         void drop_line();
-        /// Lets the pairs hold the first texts for as long as their rows are used.
-        void hold(std::size_t count, PairBlock& pairs);
+        /// Lets the pairs hold the texts at hand for as long as their rows are used.
+        void hold(PairBlock& pairs);
         /// Whether the layout stays as it is: until then nothing is handed on, for others read it.
         [[nodiscard]] bool is_settled() const { return ended || blocks.has_row(); }
         [[nodiscard]] bool is_ready() const { return ended || !unread.empty() || blocks.is_ready(); }

@@ -80,7 +80,9 @@ void RowTransformer::transform(std::string_view text, std::size_t line, Output& 
         }
         if (answered < read_.parts.lines.size()) {
             line = read_.parts.lines[answered];
-            text = all.substr(static_cast<std::size_t>(drop_from(answered) - all.data()));
+            const auto first = std::ranges::find(read_.rows, line, &Row::number); // of those left to a later batch
+            text = all.substr(static_cast<std::size_t>(first->line.text.data() - all.data()));
+            read_.rows.erase(first, read_.rows.end());
         }
         finish_batch(all, output);
         if (is_whole) {
@@ -128,14 +130,6 @@ void RowTransformer::add_rows(std::string_view doubles) {
         row.numbers = row.line.text;
         row.index = read_.rows.size() - 1;
     }
-}
-
-const char* RowTransformer::drop_from(std::size_t index) {
-    const auto first =
-        std::ranges::find_if(read_.rows, [index](const Row& row) { return row.has_numbers() && row.index == index; });
-    const char* const begin = first->line.text.data();
-    read_.rows.erase(first, read_.rows.end());
-    return begin;
 }
 
 std::size_t RowTransformer::answer(bool flush, Output& output, const Ordered& ordered) {

@@ -48,9 +48,6 @@ private:
     void gather_numbers(std::string_view& doubles, std::size_t& line, std::size_t most_rows);
     /// Adds the rows whose numbers were taken off these doubles.
     void add_rows(std::string_view doubles);
-    /// Drops the rows from that index on, which are left to a later batch.
-    /// @return where the text of the first begins
-    const char* drop_from(std::size_t index);
     /// Runs the operation on the rows that have numbers; returns how many are answered, see RowOperation::run().
     std::size_t answer(bool flush, Output& output, const Ordered& ordered);
     /// Writes the rows, which were taken off the text, and hands them over with their results if there is a fold.
