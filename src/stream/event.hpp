@@ -128,10 +128,10 @@ struct Output {
     Buffer bytes{};
     std::vector<AnsweredRows> batches{};
     std::vector<Event> events{};
-    std::size_t rows = 0;     ///< data rows of the stream
-    std::size_t answered = 0; ///< data rows that have a result
-    bool stopped = false;     ///< a row error ended the run
-    Unpaired unpaired{};      ///< rows whose partner is not defined
+    std::size_t rows = 0;               ///< data rows of the stream, paired or not
+    std::size_t answered = 0;           ///< data rows that have a result
+    bool stopped = false;               ///< a row error ended the run
+    std::array<Unpaired, 2> unpaired{}; ///< by Side
 
     /// Keeps its memory.
     void clear() {

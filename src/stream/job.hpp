@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <deque>
 #include <memory>
@@ -26,7 +25,7 @@ struct Partner {
 /// The partner of a row.
 struct Pair {
     Partner partner{};
-    Partner later{}; ///< the next row of the reference, if the partner is interpolated
+    Partner later{};      ///< the next row of the reference, if the partner is interpolated
     std::string fields{}; ///< partner_names, each after a delimiter, if they are written
 };
 
@@ -82,7 +81,7 @@ public:
     JobReader& operator=(const JobReader&) = delete;
     virtual ~JobReader() = default;
 
-    /// Reads the next job, and adds the lines before the first data row to its output.
+    /// Reads the next job, and adds the lines before the first data row, and rows without a partner, to its output.
     /// @return false if no job comes after it
     virtual bool read(Job& job) = 0;
     /// Whether read() would not have to wait.
@@ -94,8 +93,6 @@ public:
     [[nodiscard]] virtual const Layout* layout(Side side) const = 0;
     /// The row width of blocks, as far as it is known after the last job.
     [[nodiscard]] virtual RowWidth width() const { return {}; }
-    /// The rows without a partner, by Side.
-    [[nodiscard]] virtual std::array<Unpaired, 2> unpaired() const { return {}; }
     [[nodiscard]] virtual PairingStats keys() const { return {}; }
 };
 

@@ -243,7 +243,9 @@ private:
         std::ranges::for_each(output.events, *report_);
         ending_.rows += output.rows;
         ending_.answered += output.answered;
-        ending_.unpaired[0].add(output.unpaired);
+        for (const Side side : both_sides) {
+            ending_.unpaired.at(index_of(side)).add(output.unpaired.at(index_of(side)));
+        }
         ending_.stopped = output.stopped;
         return !output.stopped;
     }
@@ -283,10 +285,6 @@ RunResult run(Source& source, Sink* sink, Options options, const std::function<v
         reader = std::make_unique<RowBlocks>(source, options.input, &options, block_size(options));
     }
     RunResult result = Run(*reader, sink, options, report)();
-    for (std::size_t side = 0; side < result.unpaired.size(); ++side) {
-        result.unpaired.at(side).add(reader->unpaired().at(side));
-    }
-    result.rows += reader->unpaired()[0].rows;
     result.keys = reader->keys();
     result.positions = reader->layout(Side::stream)->positions;
     return result;

@@ -1,6 +1,7 @@
 // Pairs of rows are the same in whatever pieces the two streams arrive.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
@@ -39,9 +40,12 @@ std::string pairs_of(const std::string& rows, const std::string& references, std
     Pieces reference(references, {piece});
     PairReader reader(source, reference, options, IoBlockReader::largest_block);
     std::string pairs;
+    std::array<std::size_t, 2> unpaired{};
     for (bool more = true; more;) {
         Job job;
         more = reader.read(job);
+        unpaired[0] += job.output.unpaired[0].rows;
+        unpaired[1] += job.output.unpaired[1].rows;
         const ReadRows& read = job.pairs.read;
         for (std::size_t i = 0; i < read.rows.size(); ++i) {
             const Row& row = read.rows[i];
@@ -56,9 +60,8 @@ std::string pairs_of(const std::string& rows, const std::string& references, std
             }
         }
     }
-    const auto unpaired = reader.unpaired();
     const auto error = reader.error();
-    return pairs + fmt::format("{} {}", unpaired[0].rows, unpaired[1].rows) +
+    return pairs + fmt::format("{} {}", unpaired[0], unpaired[1]) +
            (error ? fmt::format(" ends at {}{}", error->place.is_in_reference() ? "-" : "", error->place.line) : "");
 }
 

@@ -93,10 +93,7 @@ PairReader::At PairReader::Stream::look(std::size_t ahead) {
     return At::row;
 }
 
-void PairReader::Stream::drop_row(bool is_paired) {
-    if (!is_paired) {
-        unpaired.add({1, waiting.front().number});
-    }
+void PairReader::Stream::drop_row() {
     dispose_row();
     drop_line();
 }
@@ -230,9 +227,9 @@ void PairReader::pair(Job& job, bool is_between) {
     job.pairs.bytes += own.line.text.size() + other.line.text.size() + later.line.text.size();
     rows_.hold(job.pairs);
     references_.hold(job.pairs);
-    rows_.drop_row(true);
+    rows_.drop_row();
     if (!pairing_->interpolates) {
-        references_.drop_row(true);
+        references_.drop_row();
     }
 }
 
@@ -264,7 +261,7 @@ void PairReader::add_numbers(ReadRows& read, Waiting& later) {
     }
 }
 
-void PairReader::drop_alone() {
+void PairReader::drop_alone(Output& output) {
     if (pairing_->by_key && !pairing_->interpolates) {
         const Key& key = rows_.pairable.front()->key();
         if (!references_.pairable.empty()) {
@@ -277,7 +274,9 @@ void PairReader::drop_alone() {
     if (pairing_->needs_partner) {
         rows_.fail_row();
     } else {
-        rows_.drop_row(false);
+        output.unpaired[0].add({1, rows_.waiting.front().number});
+        ++output.rows;
+        rows_.drop_row();
     }
 }
 
@@ -350,8 +349,13 @@ PairReader::Stream* PairReader::act(Job& job, Match match) {
     switch (match) {
     case Match::pair: pair(job, false); break;
     case Match::pair_between: pair(job, true); break;
-    case Match::row_alone: drop_alone(); break;
-    case Match::reference_alone: references_.drop_row(pairing_->interpolates); break;
+    case Match::row_alone: drop_alone(job.output); break;
+    case Match::reference_alone:
+        if (!pairing_->interpolates) {
+            job.output.unpaired[1].add({1, references_.waiting.front().number});
+        }
+        references_.drop_row();
+        break;
     case Match::row_unknown: return &rows_;
     case Match::reference_unknown: return &references_;
     case Match::ended: break;

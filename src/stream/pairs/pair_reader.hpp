@@ -37,7 +37,6 @@ public:
     [[nodiscard]] const Layout* layout(Side side) const override {
         return (side == Side::stream ? rows_ : references_).layout();
     }
-    [[nodiscard]] std::array<Unpaired, 2> unpaired() const override { return {rows_.unpaired, references_.unpaired}; }
     [[nodiscard]] PairingStats keys() const override;
 
 private:
@@ -99,7 +98,7 @@ private:
         [[nodiscard]] bool take_key(Waiting& row);
         /// Leaves the next row, which has no partner, to be handed on with an error.
         void fail_row();
-        void drop_row(bool is_paired);
+        void drop_row();
         /// Takes the next row out of those that may be paired.
         void dispose_row();
         void drop_line();
@@ -125,7 +124,6 @@ private:
         std::size_t bytes_waiting = 0;            ///< size of the waiting lines
         std::optional<PairingStats::Range> range; ///< the first and the last key that increased
         std::optional<Key> disposed;              ///< the key of the last row that was paired, dropped or failed
-        Unpaired unpaired;
     };
 
     [[nodiscard]] Match match(At row, At reference);
@@ -140,7 +138,7 @@ private:
     /// Adds the numbers of a pair whose rows have them.
     void add_numbers(ReadRows& read, Waiting& later);
     /// Drops FILE's next row, which has no partner, or leaves it to be handed on with an error.
-    void drop_alone();
+    void drop_alone(Output& output);
     void compare_distance(KeyDistance found);
     [[nodiscard]] std::optional<StreamError> reference_error() const;
     /// Hands on lines that are not to be paired: comments, blank lines, rows with an error. `of_both`: also the

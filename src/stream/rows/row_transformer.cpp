@@ -209,7 +209,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
     if (failed) {
         const RowError error = error_of(row, report, given);
         if (error.what == RowError::What::no_partner && !options_->pairing->needs_partner) {
-            output.unpaired.add({1, row.number});
+            output.unpaired[0].add({1, row.number});
             return;
         }
         output.events.emplace_back(error);
