@@ -1,12 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <memory>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "bytes/io_block.hpp"
@@ -15,36 +11,6 @@
 #include "rows/row_reader.hpp"
 
 namespace rotconv::stream {
-
-/// A row of the reference.
-struct Partner {
-    std::string_view text;
-    std::size_t number = 0; ///< the line's; 0: there is none
-};
-
-/// The partner of a row.
-struct Pair {
-    Partner partner{};
-    Partner later{};      ///< the next row of the reference, if the partner is interpolated
-    std::string fields{}; ///< partner_names, each after a delimiter, if they are written
-};
-
-/// Rows, and what was read of them.
-struct ReadRows {
-    std::vector<Row> rows;
-    RowParts parts;
-    std::deque<RowError> errors; ///< what Row::error points to: they stay in their place
-    std::vector<Pair> pairs;     ///< of each row, if they are paired
-
-    void clear() noexcept {
-        rows.clear();
-        parts.clear();
-        errors.clear();
-        pairs.clear();
-    }
-    /// Why the last row has no numbers.
-    void fail(RowError error) { rows.back().error = &errors.emplace_back(std::move(error)); }
-};
 
 /// Pairs of rows, in the order of the stream.
 struct PairBlock {

@@ -50,13 +50,12 @@ std::string pairs_of(const std::string& rows, const std::string& references, std
         for (std::size_t i = 0; i < read.rows.size(); ++i) {
             const Row& row = read.rows[i];
             const bool is_between =
-                row.has_numbers() && options.pairing->interpolates && !read.parts.between[row.index].is_at_row();
+                row.has_numbers() && options.pairing->interpolates && !read.between[row.index].is_at_row();
             if (!row.passes) {
-                pairs +=
-                    fmt::format("{}{}-{}{} ", row.has_numbers() ? "" : "!", row.number, read.pairs[i].partner.number,
-                                is_between ? fmt::format("+{}@{}", read.pairs[i].later.number,
-                                                         read.parts.between[row.index].fraction())
-                                           : "");
+                pairs += fmt::format(
+                    "{}{}-{}{} ", row.has_numbers() ? "" : "!", row.number, read.pairs[i].partner.number,
+                    is_between ? fmt::format("+{}@{}", read.pairs[i].later.number, read.between[row.index].fraction())
+                               : "");
             }
         }
     }

@@ -39,9 +39,11 @@ void PairReader::Stream::take_block(Job& job) {
 void PairReader::Stream::take_line() {
     Waiting& next = waiting.emplace_back();
     next.number = line++;
-    parts.clear();
+    taken.numbers.clear();
+    taken.kept.clear();
+    taken.fields.clear();
     Row row;
-    const bool is_read = reader.take(unread, row, parts);
+    const bool is_read = reader.take(unread, row, taken);
     next.line = row.line;
     next.passes = row.passes;
     next.ends_text = unread.empty();
@@ -49,21 +51,21 @@ void PairReader::Stream::take_line() {
     if (next.passes) {
         return;
     }
-    next.may_be_paired = !by_key || (!parts.kept.empty() && take_key(next));
+    next.may_be_paired = !by_key || (!taken.kept.empty() && take_key(next));
     if (next.may_be_paired) {
         pairable.push_back(&next);
     }
     if (is_read) {
-        std::ranges::copy(parts.numbers, next.numbers.begin());
+        std::ranges::copy(taken.numbers, next.numbers.begin());
     }
     if (!is_read || !next.may_be_paired) {
-        parts.error.place = {next.number, side};
-        next.error = std::make_unique<RowError>(std::exchange(parts.error, {}));
+        taken.error.place = {next.number, side};
+        next.error = std::make_unique<RowError>(std::exchange(taken.error, {}));
     }
 }
 
 bool PairReader::Stream::take_key(Waiting& row) {
-    row.kept = parts.kept[0];
+    row.kept = taken.kept[0];
     if (options->width > 0) {
         row.kept.key = reader.key_of(number_text(row.kept.number));
     }
@@ -72,7 +74,7 @@ bool PairReader::Stream::take_key(Waiting& row) {
         range = {range ? range->first : key, key};
         return true;
     }
-    parts.error = {.what = error == KeyError::none           ? RowError::What::key_order
+    taken.error = {.what = error == KeyError::none           ? RowError::What::key_order
                            : error == KeyError::not_a_number ? RowError::What::not_a_number
                                                              : RowError::What::key,
                    .text = options->width > 0 ? number_text(row.kept.number) : std::string(row.kept.text),
@@ -242,22 +244,22 @@ void PairReader::add_numbers(ReadRows& read, Waiting& later) {
         return to.size() / count - 1; // its place
     };
     const auto place_of = [&](Waiting& row) {
-        row.place = row.place == Waiting::nowhere ? add(read.parts.neighbours, row, references_) : row.place;
+        row.place = row.place == Waiting::nowhere ? add(read.neighbours, row, references_) : row.place;
         return row.place;
     };
-    read.rows.back().index = read.parts.lines.size();
-    read.parts.lines.push_back(own.number);
-    read.parts.reference_lines.push_back(other.number);
-    add(read.parts.numbers, own, rows_);
+    read.rows.back().index = read.lines.size();
+    read.lines.push_back(own.number);
+    read.reference_lines.push_back(other.number);
+    add(read.numbers, own, rows_);
     if (!pairing_->interpolates) {
-        add(read.parts.numbers, other, references_);
+        add(read.numbers, other, references_);
     } else {
         const std::size_t earlier = place_of(other);
-        read.parts.between.push_back(
+        read.between.push_back(
             {earlier, place_of(later), distance(own.key(), other.key()), distance(later.key(), other.key())});
     }
     if (pairing_->by_key) {
-        read.parts.kept.insert(read.parts.kept.end(), {own.kept, other.kept});
+        read.kept.insert(read.kept.end(), {own.kept, other.kept});
     }
 }
 

@@ -113,7 +113,7 @@ private:
         bool by_key; ///< the key is the first selected column
         RowBlocks blocks;
         RowReader reader;
-        RowParts parts;
+        ReadRows taken;                                  ///< what was read of the last line
         std::deque<std::shared_ptr<const Buffer>> texts; ///< the blocks of the lines at hand
         std::size_t held = 0;                            ///< how many of the first texts the job holds
         std::string_view unread;                         ///< lines that do not wait yet

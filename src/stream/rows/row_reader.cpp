@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
+#include <span>
 
 #include "../beginning/delimiter.hpp"
 #include "../numbers/scan_number.hpp"
@@ -85,7 +87,7 @@ bool fits(const Layout& layout, const RowWidth& width, const char* last, const c
 
 } // namespace
 
-bool RowReader::scan(std::string_view text, Row& row, RowParts& to) const {
+bool RowReader::scan(std::string_view text, Row& row, ReadRows& to) const {
     if (options_->width > 0) {
         row.line = next_row(text, options_->width);
         row.numbers = row.line.text;
@@ -141,7 +143,7 @@ bool RowReader::scan(std::string_view text, Row& row, RowParts& to) const {
     return true;
 }
 
-bool RowReader::take_line(std::string_view& text, Row& row, RowParts& to) const {
+bool RowReader::take_line(std::string_view& text, Row& row, ReadRows& to) const {
     row.line = next_line(text);
     row.passes = !options_->is_row(row.line.text);
     if (row.passes) {
@@ -157,7 +159,7 @@ bool RowReader::take_line(std::string_view& text, Row& row, RowParts& to) const 
     return is_read;
 }
 
-bool RowReader::read(std::string_view row, RowParts& to) const {
+bool RowReader::read(std::string_view row, ReadRows& to) const {
     const std::size_t first_field = to.fields.size();
     if (!layout_->delimiter.split(row, to.fields)) {
         to.error = {.what = RowError::What::open_quote, .text = std::string(row)};
@@ -233,7 +235,7 @@ ReadKey RowReader::key_of(std::string_view text) const {
     return key;
 }
 
-void RowReader::add_doubles(std::string_view row, RowParts& to) const {
+void RowReader::add_doubles(std::string_view row, ReadRows& to) const {
     for (std::size_t i = 0; i < layout_->count; ++i) {
         double number = 0.0;
         std::memcpy(&number, row.data() + layout_->position(i) * sizeof(double), sizeof(double));
@@ -251,7 +253,7 @@ std::string RowReader::selected_text(std::string_view row) const {
     }
     const char character = layout_->delimiter.text();
     const std::string_view delimiter(&character, 1);
-    RowParts parts;
+    ReadRows parts;
     if (options_->width > 0) {
         add_doubles(row, parts);
         const std::string kept = parts.kept.empty() ? "" : fmt::format("{}{}", parts.kept[0].number, delimiter);

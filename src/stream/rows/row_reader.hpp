@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "../event.hpp"
@@ -10,22 +12,6 @@
 #include "layout.hpp"
 
 namespace rotconv::stream {
-
-/// What was read of the rows of a batch, one after the other.
-struct RowParts : NumberRows {
-    std::vector<std::string_view> fields; ///< of the rows whose fields were looked for
-    RowError error;                       ///< of the row that failed last, without its line
-
-    void clear() noexcept {
-        fields.clear();
-        numbers.clear();
-        lines.clear();
-        kept.clear();
-        reference_lines.clear();
-        neighbours.clear();
-        between.clear();
-    }
-};
 
 /// A row of a stream.
 struct Row {
@@ -46,6 +32,43 @@ struct Row {
     [[nodiscard]] bool has_numbers() const noexcept { return !passes && error == nullptr; }
 };
 
+/// A row of the reference.
+struct Partner {
+    std::string_view text;
+    std::size_t number = 0; ///< the line's; 0: there is none
+};
+
+/// The partner of a row.
+struct Pair {
+    Partner partner{};
+    Partner later{};      ///< the next row of the reference, if the partner is interpolated
+    std::string fields{}; ///< partner_names, each after a delimiter, if they are written
+};
+
+/// Rows, and what was read of them, one after the other.
+struct ReadRows : NumberRows {
+    std::vector<Row> rows;
+    std::vector<std::string_view> fields; ///< of the rows whose fields were looked for
+    RowError error;                       ///< of the row that failed last, without its line
+    std::deque<RowError> errors;          ///< what Row::error points to: they stay in their place
+    std::vector<Pair> pairs;              ///< of each row, if they are paired
+
+    void clear() noexcept {
+        numbers.clear();
+        lines.clear();
+        kept.clear();
+        reference_lines.clear();
+        neighbours.clear();
+        between.clear();
+        rows.clear();
+        fields.clear();
+        errors.clear();
+        pairs.clear();
+    }
+    /// Why the last row has no numbers.
+    void fail(RowError why) { rows.back().error = &errors.emplace_back(std::move(why)); }
+};
+
 /// Reads the numbers of a row.
 class RowReader {
 public:
@@ -58,7 +81,7 @@ public:
     /// do.
     /// @return whether it has numbers; otherwise it passes, or `to.error` says why, without its place, and only what is
     /// kept of it may have been added
-    [[nodiscard]] bool take(std::string_view& text, Row& row, RowParts& to) const {
+    [[nodiscard]] bool take(std::string_view& text, Row& row, ReadRows& to) const {
         const bool is_comment = options_->width == 0 && options_->is_comment(text);
         if (is_comment || !scan(text, row, to)) {
             return take_line(text, row, to);
@@ -75,13 +98,13 @@ private:
     /// Adds what is read of the row that begins the text, but not its fields, in one scan, if it is of doubles, or as
     /// most are: the numbers stand side by side without blanks around them, and it has no quotes.
     /// @return false, and nothing is added, for any other row
-    [[nodiscard]] bool scan(std::string_view text, Row& row, RowParts& to) const;
+    [[nodiscard]] bool scan(std::string_view text, Row& row, ReadRows& to) const;
     /// The same for a line that was not scanned.
-    [[nodiscard]] bool take_line(std::string_view& text, Row& row, RowParts& to) const;
+    [[nodiscard]] bool take_line(std::string_view& text, Row& row, ReadRows& to) const;
     /// Adds what is read of a row of text, and its fields.
     /// @return false where `to.error` says why there are no numbers; fields and numbers may be there
-    [[nodiscard]] bool read(std::string_view row, RowParts& to) const;
-    void add_doubles(std::string_view row, RowParts& to) const;
+    [[nodiscard]] bool read(std::string_view row, ReadRows& to) const;
+    void add_doubles(std::string_view row, ReadRows& to) const;
 
     const InputOptions* options_;
     const Layout* layout_;

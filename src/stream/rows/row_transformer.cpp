@@ -78,8 +78,8 @@ void RowTransformer::transform(std::string_view text, std::size_t line, Output& 
         if (answered == 0 && all.size() - text.size() >= most_waiting) {
             answered = answer(true, output, ordered);
         }
-        if (answered < read_.parts.lines.size()) {
-            line = read_.parts.lines[answered];
+        if (answered < read_.lines.size()) {
+            line = read_.lines[answered];
             const auto first = std::ranges::find(read_.rows, line, &Row::number); // of those left to a later batch
             text = all.substr(static_cast<std::size_t>(first->line.text.data() - all.data()));
             read_.rows.erase(first, read_.rows.end());
@@ -99,13 +99,13 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
     const std::size_t size = text.size();
     while (!text.empty() && read_.rows.size() < most_rows && size - text.size() < most_bytes) {
         Row& row = read_.rows.emplace_back(Line(), line++);
-        row.index = read_.parts.lines.size();
-        if (readers_[0].take(text, row, read_.parts)) {
-            read_.parts.lines.push_back(row.number);
+        row.index = read_.lines.size();
+        if (readers_[0].take(text, row, read_)) {
+            read_.lines.push_back(row.number);
         } else if (!row.passes) {
-            read_.parts.kept.resize(read_.parts.lines.size() * options_->input.numbers.kept);
-            read_.parts.error.place = {row.number};
-            read_.fail(std::exchange(read_.parts.error, {}));
+            read_.kept.resize(read_.lines.size() * options_->input.numbers.kept);
+            read_.error.place = {row.number};
+            read_.fail(std::exchange(read_.error, {}));
             if (options_->on_error == OnError::stop) {
                 return;
             }
@@ -115,17 +115,17 @@ void RowTransformer::gather(std::string_view& text, std::size_t& line, std::size
 
 void RowTransformer::gather_numbers(std::string_view& doubles, std::size_t& line, std::size_t most_rows) {
     read_.clear();
-    read_.parts.lines.resize(std::min(most_rows, doubles.size() / (layout_->count * sizeof(double))));
-    std::iota(read_.parts.lines.begin(), read_.parts.lines.end(), line);
-    line += read_.parts.lines.size();
-    read_.parts.numbers.resize(read_.parts.lines.size() * layout_->count);
-    const std::size_t size = read_.parts.numbers.size() * sizeof(double);
-    std::memcpy(read_.parts.numbers.data(), doubles.data(), size);
+    read_.lines.resize(std::min(most_rows, doubles.size() / (layout_->count * sizeof(double))));
+    std::iota(read_.lines.begin(), read_.lines.end(), line);
+    line += read_.lines.size();
+    read_.numbers.resize(read_.lines.size() * layout_->count);
+    const std::size_t size = read_.numbers.size() * sizeof(double);
+    std::memcpy(read_.numbers.data(), doubles.data(), size);
     doubles.remove_prefix(size);
 }
 
 void RowTransformer::add_rows(std::string_view doubles) {
-    for (const std::size_t number : read_.parts.lines) {
+    for (const std::size_t number : read_.lines) {
         Row& row = read_.rows.emplace_back(next_row(doubles, options_->input.width), number);
         row.numbers = row.line.text;
         row.index = read_.rows.size() - 1;
@@ -133,9 +133,9 @@ void RowTransformer::add_rows(std::string_view doubles) {
 }
 
 std::size_t RowTransformer::answer(bool flush, Output& output, const Ordered& ordered) {
-    results_.resize(read_.parts.lines.size() * width_);
-    read_.parts.are_last = flush;
-    return operation_->run(read_.parts, results_, reports_, [&](const auto& what) {
+    results_.resize(read_.lines.size() * width_);
+    read_.are_last = flush;
+    return operation_->run(read_, results_, reports_, [&](const auto& what) {
         if (!ordered || operation_->in_order) { // with in_order there is one thread
             what();
         } else {
@@ -148,16 +148,16 @@ std::size_t RowTransformer::answer(bool flush, Output& output, const Ordered& or
 void RowTransformer::finish_batch(std::string_view text, Output& output) {
     if (are_doubles_alone_ && reports_.empty() && !output.stopped) {
         append_bytes(output.bytes, results_);
-        output.rows += read_.parts.lines.size();
-        output.answered += read_.parts.lines.size();
+        output.rows += read_.lines.size();
+        output.answered += read_.lines.size();
         return;
     }
     if (are_doubles_alone_) {
         add_rows(text);
     }
     write(output);
-    if (options_->fold && !read_.parts.lines.empty()) { // operations with a fold answer all rows at once
-        output.batches.push_back({std::exchange(static_cast<NumberRows&>(read_.parts), NumberRows()),
+    if (options_->fold && !read_.lines.empty()) { // operations with a fold answer all rows at once
+        output.batches.push_back({std::exchange(static_cast<NumberRows&>(read_), NumberRows()),
                                   std::exchange(results_, Numbers()), std::exchange(reports_, {})});
     }
 }
@@ -165,7 +165,7 @@ void RowTransformer::finish_batch(std::string_view text, Output& output) {
 void RowTransformer::write(Output& output) {
     next_report_ = 0;
     auto& rows = read_.rows;
-    const bool is_clean = rows.size() == read_.parts.lines.size() && reports_.empty();
+    const bool is_clean = rows.size() == read_.lines.size() && reports_.empty();
     if (is_clean && !options_->writes_rows) {
         output.rows += rows.size();
         output.answered += rows.size();
@@ -221,7 +221,7 @@ void RowTransformer::write_row(Row& row, Output& output) {
     if (options_->writes_rows) {
         writer_.write(output.bytes, {.line = row.line,
                                      .number = row.number,
-                                     .fields = std::span(read_.parts.fields).subspan(row.first_field, row.field_count),
+                                     .fields = std::span(read_.fields).subspan(row.first_field, row.field_count),
                                      .result = failed ? std::span<const double>(nans_)
                                                       : std::span(results_).subspan(row.index * width_, width_),
                                      .report = &report,
@@ -275,7 +275,7 @@ double RowTransformer::norm_of(Side side, std::string_view row) const {
         return 0.0;
     }
     Row again;
-    RowParts parts;
+    ReadRows parts;
     static_cast<void>(readers_[index_of(side)].take(row, again, parts));
     const Numbers& q = parts.numbers;
     return std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
@@ -283,7 +283,7 @@ double RowTransformer::norm_of(Side side, std::string_view row) const {
 
 void RowTransformer::split(Row& row) {
     const std::size_t width = options_->input.width;
-    auto& fields = read_.parts.fields;
+    auto& fields = read_.fields;
     if (row.field_count > 0) {
         return;
     }
