@@ -277,8 +277,13 @@ double RowTransformer::norm_of(Side side, std::string_view row) const {
     Row again;
     ReadRows parts;
     static_cast<void>(readers_[index_of(side)].take(row, again, parts));
-    const Numbers& q = parts.numbers;
-    return std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+    const auto q = std::span<const double>(parts.numbers).first(4);
+    const double largest = std::abs(std::ranges::max(q, {}, [](double number) { return std::abs(number); }));
+    double squares = 0.0; // scaled, so that they neither overflow nor underflow
+    for (const double number : q) {
+        squares += (number / largest) * (number / largest);
+    }
+    return largest * std::sqrt(squares);
 }
 
 void RowTransformer::split(Row& row) {
