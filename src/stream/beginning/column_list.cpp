@@ -13,15 +13,12 @@ namespace {
 
 using What = ColumnError::What;
 
-/// Reads a 1-based index, at most the number of fields that a line can hold.
-std::optional<std::size_t> index_of(std::string_view text) noexcept {
-    std::size_t value = 0;
-    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+/// Reads digits as a 1-based index, at most the number of fields that a line can hold; 0 if it is none.
+std::size_t index_of(std::string_view digits) noexcept {
     constexpr std::size_t most = std::size_t{4} << 20U;
-    if (result.ec != std::errc{} || value < 1 || value > most) {
-        return std::nullopt;
-    }
-    return value;
+    std::size_t value = 0; // it stays 0 where there are too many digits
+    std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return value <= most ? value : 0;
 }
 
 /// The index of the item that stands twice in `positions`.
@@ -56,13 +53,13 @@ std::variant<ColumnList, ColumnError> ColumnList::parse(std::string_view list, s
             }
             continue;
         }
-        const auto first = index_of(from);
-        const auto last = index_of(to);
-        if (!first || !last || *first > *last) {
+        const std::size_t first = index_of(from);
+        const std::size_t last = index_of(to);
+        if (first == 0 || first > last) {
             return ColumnError{What::not_an_item, std::string(item)};
         }
-        counted += *last - *first + 1;
-        for (std::size_t index = *first; index <= *last && made.items_.size() <= count; ++index) {
+        counted += last - first + 1;
+        for (std::size_t index = first; index <= last && made.items_.size() <= count; ++index) {
             made.items_.push_back({{}, index - 1});
         }
     }
