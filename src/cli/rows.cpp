@@ -94,26 +94,20 @@ public:
         using What = stream::StreamError::What;
         const std::string message = messages::explain(error, subject_of(error.place));
         const stream::Place place{error.what == What::read ? 0 : error.place.line, error.place.side};
-        if (error.what == What::json || error.what == What::columns || error.what == What::count) {
-            tell_with_answers(place, message);
-        } else {
-            tell(place, message);
-        }
+        const bool has_answers = error.what == What::json || error.what == What::columns || error.what == What::count;
+        has_answers ? tell_with_answers(place, message) : tell(place, message);
     }
     /// The error of a row that ended the run, with advice if no row could be read, or other ones.
     void add_last_error(const stream::RunResult& ending) const {
         if (!last_error_) {
             return;
         }
-        const stream::Place& place = last_error_->place;
+        using enum stream::RowError::What;
+        const auto what = last_error_->what;
         const std::string message = in_words(*last_error_);
-        using What = stream::RowError::What;
-        if (ending.answered == 0 || last_error_->what == What::other_width ||
-            last_error_->what == What::missing_column || last_error_->what == What::attitude) {
-            tell_with_answers(place, message);
-        } else {
-            tell(place, message);
-        }
+        const bool has_answers =
+            ending.answered == 0 || what == other_width || what == missing_column || what == attitude;
+        has_answers ? tell_with_answers(last_error_->place, message) : tell(last_error_->place, message);
     }
     void add(const std::array<stream::Unpaired, 2>& unpaired) const {
         for (const stream::Side side : stream::both_sides) {
