@@ -76,19 +76,18 @@ std::optional<std::pair<std::string, std::vector<stream::Note>>> row_of_text(std
         if (stream::is_blank(line) || (!comment.empty() && line.starts_with(comment))) {
             continue;
         }
+        rows.append(line).append("\n");
         std::vector<std::string_view> fields;
         static_cast<void>(stream::Delimiter::of_row(line).split(line, fields));
-        if (lines == 0 && fields.size() == 1) { // the name of a matrix
-            rows.append(line).append("\n");
-            continue;
+        if (lines > 0 || fields.size() != 1) {                 // not the name of a matrix
+            std::erase_if(fields, [](std::string_view field) { // brackets
+                return field.find_first_of("0123456789") == std::string_view::npos;
+            });
+            is_matrix =
+                is_matrix && (fields.size() == 3 || fields.size() == 4) && (lines == 0 || fields.size() == width);
+            width = fields.size();
+            ++lines;
         }
-        ++lines;
-        std::erase_if(fields, [](std::string_view field) { // brackets
-            return field.find_first_of("0123456789") == std::string_view::npos;
-        });
-        is_matrix = is_matrix && (fields.size() == 3 || fields.size() == 4) && (lines == 1 || fields.size() == width);
-        width = fields.size();
-        rows.append(line).append("\n");
     }
     if (is_matrix && lines == 3 && width == 4) { // a pose, of which the last line is not written
         rows += rows.find(',') == std::string::npos ? "0 0 0 1" : "0,0,0,1";
