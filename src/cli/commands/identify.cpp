@@ -12,6 +12,7 @@
 #include <rotconv/quaternion.hpp>
 
 #include "../../core/identification/identification.hpp"
+#include "../grammar/column_names.hpp"
 #include "../row_options.hpp"
 
 namespace rotconv::cli {
@@ -227,37 +228,25 @@ private:
         case Ambiguity::axes: return fmt::format("all turn about one axis, {}", in_brackets(verdict.axis));
         case Ambiguity::plane:
             return fmt::format("the axes of the turns between them are perpendicular to {}", in_brackets(verdict.axis));
-        case Ambiguity::zero: return fmt::format("the number in column {} is always 0", column(verdict.column));
+        case Ambiguity::zero: return fmt::format("the number in column {} is always 0", place(verdict.column) + 1);
         case Ambiguity::equal:
-            return fmt::format("the numbers in columns {} and {} are always equal", column(verdict.column),
-                               column(verdict.other));
+            return fmt::format("the numbers in columns {} and {} are always equal", place(verdict.column) + 1,
+                               place(verdict.other) + 1);
         case Ambiguity::difference: return "these rows do not tell them apart";
         case Ambiguity::nothing: break;
         }
         return {};
     }
 
-    /// The index from 1 of an unknown number.
-    [[nodiscard]] std::size_t column(std::size_t number) const {
-        return (positions_.empty() ? number : positions_.at(number)) + 1;
+    /// The place of an unknown number in a row, from 0.
+    [[nodiscard]] std::size_t place(std::size_t number) const {
+        return positions_.empty() ? number : positions_.at(number);
     }
 
-    /// Indices from 1 as --columns takes them: three or more in a row as a range.
     [[nodiscard]] std::string columns_of(const Candidate& candidate) const {
-        const std::size_t size = candidate.spec.size();
-        const auto index = [&](std::size_t i) { return column(candidate.columns.at(i)); };
-        std::string text;
-        for (std::size_t i = 0; i < size;) {
-            std::size_t end = i + 1;
-            while (end < size && index(end) == index(end - 1) + 1) {
-                ++end;
-            }
-            const bool is_range = end - i > 2;
-            text += fmt::format("{}{}{}", text.empty() ? "" : ",", index(i),
-                                is_range ? fmt::format("-{}", index(end - 1)) : "");
-            i = is_range ? end : i + 1;
-        }
-        return text;
+        const auto places = mapped(std::span(candidate.columns).first(candidate.spec.size()),
+                                   [this](std::size_t number) { return place(number); });
+        return list_of_columns(places, {}, 3);
     }
 
     Settings settings_;

@@ -424,7 +424,8 @@ RowNames names_of_row(const std::vector<Part>& parts, std::vector<std::string> n
     return row;
 }
 
-std::string list_of_columns(std::span<const std::size_t> places, const std::vector<std::string>& names) {
+std::string list_of_columns(std::span<const std::size_t> places, const std::vector<std::string>& names,
+                            std::size_t least_range) {
     const auto words = mapped(names, [](const std::string& name) { return name.substr(0, name.find(' ')); });
     const bool by_name = !names.empty() && std::ranges::all_of(places, [&words](std::size_t place) {
         const std::string& word = words[place];
@@ -435,15 +436,15 @@ std::string list_of_columns(std::span<const std::size_t> places, const std::vect
                });
     });
     std::vector<std::string> items;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        std::size_t last = i; // of a range
-        while (!by_name && last + 1 < places.size() && places[last + 1] == places[last] + 1) {
-            ++last;
+    for (std::size_t i = 0, end = 0; i < places.size(); i = end) {
+        for (end = i + 1; !by_name && end < places.size() && places[end] == places[end - 1] + 1;) {
+            ++end;
         }
+        const bool is_range = end - i >= least_range;
+        end = is_range ? end : i + 1;
         items.push_back(by_name    ? words[places[i]]
-                        : last > i ? fmt::format("{}-{}", places[i] + 1, places[last] + 1)
+                        : is_range ? fmt::format("{}-{}", places[i] + 1, places[end - 1] + 1)
                                    : std::to_string(places[i] + 1));
-        i = last;
     }
     return joined(items);
 }

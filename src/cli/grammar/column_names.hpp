@@ -72,9 +72,10 @@ struct ColumnSets {
 [[nodiscard]] ColumnSets sets_of_row(const std::vector<Part>& parts, const std::vector<std::string>& names,
                                      const std::string& key);
 
-/// A LIST of columns: by name where each name is one word without marks, and of one column; else by index.
+/// A LIST of columns: by name where each name is one word without marks, and of one column; else by index, so many or
+/// more in a row as a range.
 [[nodiscard]] std::string list_of_columns(std::span<const std::size_t> places,
-                                          const std::vector<std::string>& names = {});
+                                          const std::vector<std::string>& names = {}, std::size_t least_range = 2);
 
 /// Where rows of so many fields have the numbers of a SPEC in the files of its project.
 [[nodiscard]] stream::ChosenColumns columns_of_project(const Spec& spec, std::size_t fields);
