@@ -149,29 +149,21 @@ std::size_t OptionSet::read(const std::vector<std::string>& all_words, std::size
         }
         const std::string name(option->name());
         const bool is_joined = begin_of_argument != std::string::npos;
+        const bool has_own = !known.argument.empty();
         first_option = first_option.empty() ? name : first_option;
-        if (!known.argument.empty()) {
-            misuse = is_joined         ? fmt::format("{} takes no argument", known.text)
-                     : option->given() ? name + " is given twice"
-                                       : misuse;
-            option->texts.emplace_back(known.argument);
+        std::string argument = has_own ? std::string(known.argument) : name;
+        if (has_own || !option->takes_argument()) {
             option->place = {at, 0};
-            return;
-        }
-        if (!option->takes_argument()) {
-            option->texts = {name};
-            misuse = is_joined ? name + " takes no argument" : misuse;
-            return;
-        }
-        if (!is_joined && (at + 1 == words.size() || words[at + 1].starts_with("--"))) {
+            misuse = is_joined ? fmt::format("{} takes no argument", has_own ? known.text : name) : misuse;
+        } else if (!is_joined && (at + 1 == words.size() || words[at + 1].starts_with("--"))) {
             throw Usage("{} needs {}: {}", name, option->argument, option->about);
+        } else {
+            option->place = is_joined ? WordEnd{at, begin_of_argument} : WordEnd{++at, 0};
+            argument = words[option->place.word].substr(option->place.begin);
+            misuse = argument.empty() ? name + " has an empty argument" : misuse;
         }
-        option->place = is_joined ? WordEnd{at, begin_of_argument} : WordEnd{++at, 0};
-        const std::string argument = words[option->place.word].substr(option->place.begin);
-        if (option->given() && !option->repeats) {
+        if (option->given() && option->takes_argument() && !option->repeats && !(has_own && is_joined)) {
             misuse = name + " is given twice";
-        } else if (argument.empty()) {
-            misuse = name + " has an empty argument";
         }
         option->texts.push_back(argument);
     };
