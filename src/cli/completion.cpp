@@ -1,8 +1,6 @@
-#include <algorithm>
 #include <string>
 #include <string_view>
 #include <variant>
-#include <vector>
 
 #include "../core/projects.hpp"
 #include "command.hpp"

@@ -1,11 +1,8 @@
 #include "row_options.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <functional>
 #include <iterator>
-#include <span>
 #include <tuple>
 #include <utility>
 #include <variant>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <span>
 
 #include <rotconv/axis_angle.hpp>
 #include <rotconv/quaternion.hpp>

@@ -3,7 +3,6 @@
 #include <bit>
 #include <memory>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
