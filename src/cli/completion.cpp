@@ -1,11 +1,15 @@
+// write_completion SCRIPT: the completion of bash and zsh, with the words of the program's own tables in the place of
+// @words@. write_completion SCRIPT FISH: that of fish, with SCRIPT up to "# The rest ..." in the place of @candidates@,
+// quoted.
+
+#include <fstream>
+#include <iostream>
 #include <string>
 #include <string_view>
 #include <variant>
 
 #include "../core/projects.hpp"
 #include "command.hpp"
-#include "messages/messages.hpp"
-#include "program.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -48,8 +52,7 @@ std::string lines_of(const OptionSet& options) {
     return in_shell(lines);
 }
 
-} // namespace
-
+/// The names that completion offers, as a function of the shell.
 std::string completion_words() {
     std::string commands;
     std::string options = "    operands=\n    case ${1-} in\n";
@@ -72,4 +75,32 @@ std::string completion_words() {
         in_shell(commands), options, modifiers());
 }
 
+/// The lines of a file up to one that begins with `end`; what is `mark` becomes `words`.
+std::string filled(const char* file, std::string_view mark, const std::string& words, std::string_view end) {
+    std::ifstream lines(file);
+    std::string text;
+    std::string line;
+    while (std::getline(lines, line) && (end.empty() || !line.starts_with(end))) {
+        text += line == mark ? words : line + "\n";
+    }
+    return text;
+}
+
+std::string in_fish(const std::string& script) {
+    std::string text;
+    for (const char c : script) {
+        text += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string{c};
+    }
+    return text;
+}
+
+} // namespace
 } // namespace rotconv::cli
+
+int main(int argc, char** argv) {
+    const bool is_fish = argc > 2;
+    const std::string script =
+        rotconv::cli::filled(argv[1], "@words@", rotconv::cli::completion_words(), is_fish ? "# The rest" : "");
+    std::cout << (is_fish ? rotconv::cli::filled(argv[2], "@candidates@", rotconv::cli::in_fish(script), "") : script);
+    return !script.empty() && std::cout.flush() ? 0 : 1;
+}

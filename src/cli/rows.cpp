@@ -13,7 +13,6 @@
 #include <unistd.h>
 
 #include "messages/answers.hpp"
-#include "progress.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -33,6 +32,55 @@ constexpr std::size_t most_errors = 20;        ///< of a run, told one by one
 
 /// A text to stderr, in one piece. If that fails there is nobody to tell.
 void show(std::string_view text) { static_cast<void>(stream::File(STDERR_FILENO).write(text)); }
+
+/// A line on a terminal that says how far work of more than a second is, until it is cleared.
+class Progress {
+public:
+    /// @param size bytes of the whole; 0: that is not known
+    /// @param row bytes of a row; 0: a row is a line
+    Progress(bool is_shown, std::size_t size, std::size_t row) : is_shown_(is_shown), size_(size), row_(row) {}
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    ~Progress() { clear(); }
+
+    /// Adds bytes that have been read.
+    void add(std::string_view bytes) {
+        if (!is_shown_) {
+            return;
+        }
+        done_ += bytes.size();
+        rows_ = row_ > 0 ? done_ / row_ : rows_ + static_cast<std::size_t>(std::ranges::count(bytes, '\n'));
+        if (const auto now = Clock::now(); now >= next_) {
+            next_ = now + interval;
+            has_line_ = true;
+            const double seconds = std::chrono::duration<double>(now - begin_).count();
+            const double part = size_ > 0 ? static_cast<double>(done_) / static_cast<double>(size_) : 0.0;
+            const std::string percent = size_ > 0 ? fmt::format("{:.0f} %, ", 100.0 * part) : "";
+            const std::string left = part > 0.0 ? fmt::format(", {:.0f} s left", seconds / part - seconds) : "";
+            show(fmt::format("rotconv: {}{} rows, {:.3g} rows/s{}\033[K\r", percent, rows_, // a message overwrites it
+                             static_cast<double>(rows_) / seconds, left));
+        }
+    }
+    void clear() {
+        if (std::exchange(has_line_, false)) {
+            show("\033[K");
+        }
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::milliseconds before_first{1000};
+    static constexpr std::chrono::milliseconds interval{200};
+
+    bool is_shown_;
+    bool has_line_ = false;
+    std::size_t size_;
+    std::size_t row_;
+    std::size_t done_ = 0; ///< bytes
+    std::size_t rows_ = 0;
+    Clock::time_point begin_ = Clock::now();
+    Clock::time_point next_ = begin_ + before_first;
+};
 
 /// Reads a file, and keeps its first bytes.
 class Input final : public stream::Source {
