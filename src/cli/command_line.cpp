@@ -101,10 +101,7 @@ void check(const CommandOptions& operands, std::size_t most_files) {
     }
     const std::string file = operands.files.empty() ? "" : "the FILE " + quoted(operands.files[0]);
     if (operands.files.size() > 1 && most_files == 1) {
-        Mend joined;
-        for (const WordEnd& word : operands.file_words) {
-            joined.edits.push_back({word});
-        }
+        Mend joined{mapped(operands.file_words, [](const WordEnd& word) { return Edit{word}; })};
         joined.pipe = fmt::format("cat {}", fmt::join(mapped(operands.files, file_in_shell), " "));
         joined.text = first_bytes(operands.files[0]).value_or("") + first_bytes(operands.files[1]).value_or("");
         throw Usage("{} and {} are two FILEs, but one is read (-o names the one to write)", quoted(operands.files[0]),
@@ -140,23 +137,6 @@ void refuse_compressed(const CommandOptions& operands) {
     }
 }
 
-/// The command line that is meant by one with `help` or `--list` in front.
-std::vector<std::string> translated(std::vector<std::string> words) {
-    const bool is_help = !words.empty() && words[0] == "help" && stream::File::why_unreadable("help") != 0; // no FILE
-    const std::string topic = is_help && words.size() > 1 ? words[1] : "";
-    if (!words.empty() && words[0] == "--list") {
-        words[0] = "list";
-    } else if (topic == "help") {
-        words = {"--help"};
-    } else if (is_help && !topic.empty() && !is_command(topic)) {
-        words[0] = topic.starts_with('-') ? "--help" : "list";
-    } else if (is_help) {
-        words.erase(words.begin());
-        words.emplace_back("--help");
-    }
-    return words;
-}
-
 /// The command that alone serves of those that a project's name may mean, with a note that says so.
 Command chosen(const CommandOptions& given, Command command) {
     if (auto* const rows = std::get_if<RowsCommand>(&command)) {
@@ -189,7 +169,20 @@ void refuse_verb(const CommandOptions& options) {
 } // namespace
 
 std::vector<std::string> words_of(int argc, const char* const* argv) {
-    return translated({argv + std::min(argc, 1), argv + argc});
+    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    const bool is_help = !words.empty() && words[0] == "help" && stream::File::why_unreadable("help") != 0; // no FILE
+    const std::string topic = is_help && words.size() > 1 ? words[1] : "";
+    if (!words.empty() && words[0] == "--list") {
+        words[0] = "list";
+    } else if (topic == "help") {
+        words = {"--help"};
+    } else if (is_help && !topic.empty() && !is_command(topic)) {
+        words[0] = topic.starts_with('-') ? "--help" : "list";
+    } else if (is_help) {
+        words.erase(words.begin());
+        words.emplace_back("--help");
+    }
+    return words;
 }
 
 Mend CommandOptions::piped(Mend mend, const std::string& command, std::optional<std::string> text,
