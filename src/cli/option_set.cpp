@@ -113,13 +113,8 @@ std::string OptionSet::help(const OptionSet* other) const {
     std::string unused;
     for (const Option* option : options_) {
         app.option_defaults()->group(std::string(option->group));
-        const std::string names(option->names);
-        const std::string about(option->about);
-        if (option->takes_argument()) {
-            app.add_option(names, unused, about)->type_name(std::string(option->argument));
-        } else {
-            app.add_flag(names, about);
-        }
+        app.add_option(std::string(option->names), unused, std::string(option->about))
+            ->type_name(std::string(option->argument));
     }
     if (takes_names()) {
         app.add_option("NAME", unused, std::string(names_))->type_name("")->expected(1, -1);
