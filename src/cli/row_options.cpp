@@ -167,12 +167,12 @@ ConversionSettings RowOptions::attitude_settings() const {
     all.lock_margin = angle_of(lock_margin, degrees.given(), all.lock_margin);
     all.left = attitude_of(left);
     all.right = attitude_of(right);
-    require_same_hand(reference_axes, body_axes);
+    const auto [reference, body] = axes_of(reference_axes, body_axes);
     if (reference_axes.given()) { // L M R N' S
-        all.left = all.left * axes_of(reference_axes).rotation();
+        all.left = all.left * reference.rotation();
     }
     if (body_axes.given()) {
-        all.right = axes_of(body_axes).rotation().inverse() * all.right;
+        all.right = body.rotation().inverse() * all.right;
     }
     return all;
 }

@@ -1,8 +1,6 @@
 #include "arguments.hpp"
 
-#include <array>
 #include <cmath>
-#include <tuple>
 #include <variant>
 
 #include <rotconv/rates.hpp>
@@ -190,26 +188,27 @@ FixedRotation attitude_of(const Option& option, bool degrees, double tolerance) 
     return FixedRotation::of_numbers(read.spec, read.numbers);
 }
 
-AxesChange axes_of(const Option& option) {
-    const auto parsed = parse_axes(option.given() ? option.text() : "xyz:xyz");
-    if (const auto* error = std::get_if<AxesError>(&parsed)) {
-        throw Usage("{} {}", option.name(), message(AxesError{error->what, shortened(error->text), error->triple}));
+std::array<AxesChange, 2> axes_of(const Option& reference_axes, const Option& body_axes) {
+    const std::array<const Option*, 2> options{&reference_axes, &body_axes};
+    std::array<AxesChange, 2> changes;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto parsed = parse_axes(options.at(i)->given() ? options.at(i)->text() : "xyz:xyz");
+        if (const auto* error = std::get_if<AxesError>(&parsed)) {
+            throw Usage("{} {}", options.at(i)->name(),
+                        message(AxesError{error->what, shortened(error->text), error->triple}));
+        }
+        changes.at(i) = std::get<AxesChange>(parsed);
     }
-    return std::get<AxesChange>(parsed);
-}
-
-void require_same_hand(const Option& reference_axes, const Option& body_axes) {
-    const bool is_reference = axes_of(reference_axes).changes_hand();
-    if (is_reference == axes_of(body_axes).changes_hand()) {
-        return;
+    if (changes[0].changes_hand() != changes[1].changes_hand()) {
+        const std::size_t changing = changes[0].changes_hand() ? 0 : 1;
+        const std::string& text = options.at(changing)->text();
+        const auto colon = text.find(':');
+        throw Usage("{0} {1} changes hand, because {2} is left-handed; so must {3}, such as {3} {1}",
+                    options.at(changing)->name(), text,
+                    quoted(changes.at(changing).from_left_handed ? text.substr(0, colon) : text.substr(colon + 1)),
+                    options.at(1 - changing)->name());
     }
-    const auto& [option, other] =
-        is_reference ? std::tie(reference_axes, body_axes) : std::tie(body_axes, reference_axes);
-    const std::string& text = option.text();
-    const auto colon = text.find(':');
-    const bool is_from = axes_of(option).from_left_handed;
-    throw Usage("{0} {1} changes hand, because {2} is left-handed; so must {3}, such as {3} {1}", option.name(), text,
-                quoted(is_from ? text.substr(0, colon) : text.substr(colon + 1)), other.name());
+    return changes;
 }
 
 } // namespace rotconv::cli

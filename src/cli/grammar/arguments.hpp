@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -89,9 +90,8 @@ struct GivenNumbers {
 /// The attitude of these numbers; the identity if the option is not given.
 [[nodiscard]] FixedRotation attitude_of(const Option& option, bool degrees, double tolerance);
 
-/// The change of axes that an option names; none if it is not given.
-[[nodiscard]] AxesChange axes_of(const Option& option);
-/// Refuses a change of hand on one side alone, which gives no rotation.
-void require_same_hand(const Option& reference_axes, const Option& body_axes);
+/// The changes of axes that the options name; none for one that is not given. Refuses a change of hand on one side
+/// alone, which gives no rotation.
+[[nodiscard]] std::array<AxesChange, 2> axes_of(const Option& reference_axes, const Option& body_axes);
 
 } // namespace rotconv::cli
