@@ -42,12 +42,8 @@ _rotconv_candidates() {
     case $argument in
     ,*)
         argument=${argument#,}
-        case $word in
-        *,*)
-            prefix=$prefix${word%,*},
-            word=${word##*,}
-            ;;
-        esac
+        prefix=$prefix${word%"${word##*,}"}
+        word=${word##*,}
         ;;
     esac
 
