@@ -105,9 +105,6 @@ private:
 
     [[nodiscard]] const Spec& spec() const { return *part_.attitude; }
     [[nodiscard]] std::string text_of_part() const { return part_.attitude ? spec().text() : joined(part_.names); }
-    [[nodiscard]] bool is_euler() const {
-        return spec().name == RepresentationId::euler || spec().name == RepresentationId::rpy;
-    }
 
     // Which group is read.
 
@@ -331,9 +328,9 @@ private:
         if (word == "xyzw" || word == "wxyz") {
             hold_order(word, numbers);
         } else if (sequence) {
-            meant.name = is_euler() && spec().sequence.text() == sequence->text() ? spec().name
-                         : word == "rpy"                                          ? RepresentationId::rpy
-                                                                                  : RepresentationId::euler;
+            const bool is_own = spec().sequence.text() == sequence->text() &&
+                                (spec().name == RepresentationId::euler || spec().name == RepresentationId::rpy);
+            meant.name = is_own ? spec().name : word == "rpy" ? RepresentationId::rpy : RepresentationId::euler;
             meant.sequence = *sequence;
         } else if (modifier != all_modifiers.end()) {
             meant.apply(ModifierSet{*modifier});
