@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -134,6 +135,11 @@ template <class Options> std::unique_ptr<CommandOptions> make_options() { return
 
 /// What follows the options in the help: the words of SPECs, the exit status and examples.
 [[nodiscard]] std::string help_footer();
+
+/// What a word may become after these, of a command line that is being written: a line `files` where it may be a file
+/// too, `open` where more may follow it at once, otherwise `words`; then a line for each, and what is said of it behind
+/// a blank. The shells get it by `rotconv --complete WORD BEFORE...`.
+[[nodiscard]] std::string completions(std::span<const std::string> before, std::string word);
 
 /// Those of a command line, with what `help` and `--list` in front stand for.
 [[nodiscard]] std::vector<std::string> words_of(int argc, const char* const* argv);

@@ -203,6 +203,9 @@ Mend CommandOptions::piped(Mend mend, const std::string& command, std::optional<
 
 // NOLINTNEXTLINE(misc-no-recursion): once more, for the command that is meant
 Command read_command_line(const std::vector<std::string>& words) {
+    if (words.size() > 1 && words[0] == "--complete") {
+        return completions(std::span(words).subspan(2), words[1]);
+    }
     const auto table = command_table();
     const auto commands = std::span<const CommandEntry>(table).subspan(1);
     const CommandEntry* entry = table.data();

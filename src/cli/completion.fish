@@ -1,16 +1,13 @@
-# Completion of rotconv for fish. What a word may become is found by sh, as for the other shells.
-
-set -g __rotconv_candidates '
-@candidates@
-_rotconv_candidates "$@"
-printf "%s" "$candidates" | while read -r word argument text; do printf "%s\\\\t%s\\\\n" "$word" "$text"; done
-[ -z "$files" ]'
+# Completion of rotconv for fish, as completion.sh has it for the other shells.
 
 function __rotconv_complete
     set -l before (commandline -opc)
     set -l word (commandline -ct)
-    sh -c $__rotconv_candidates sh "$word" $before[2..-1]
-    or __fish_complete_path "$word"
+    set -l lines ($before[1] --complete "$word" $before[2..-1] 2> /dev/null)
+    for line in $lines[2..-1]
+        string replace ' ' \t -- $line
+    end
+    test "$lines[1]" != files; or __fish_complete_path "$word"
 end
 
 complete -c rotconv -f -a '(__rotconv_complete)'

@@ -1,9 +1,10 @@
 #!/bin/sh
-# completion_test.sh PROGRAM COMPLETION: what bash, zsh and fish offer, once the file is sourced (of fish COMPLETION.fish), is what the program's help and lists
+# completion_test.sh PROGRAM COMPLETION: what bash, zsh and fish offer, once COMPLETION.sh is sourced (of fish COMPLETION.fish), is what the program's help and lists
 # say. Catches an option, a name, a modifier or a preset that completion does not know, and words of the wrong place.
 set -eu
 program=$1
 completion=$2
+PATH=$(dirname "$program"):$PATH
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
@@ -12,7 +13,7 @@ failed=0
 
 # Each prints, a line each, what may stand at the end of a command line.
 bash_offers() {
-    COMP_LINE=$1 bash --norc -c '. "$0"; COMP_POINT=${#COMP_LINE}; _rotconv; printf "%s\n" "${COMPREPLY[@]-}"' "$completion"
+    COMP_LINE=$1 bash --norc -c '. "$0"; COMP_POINT=${#COMP_LINE}; _rotconv; printf "%s\n" "${COMPREPLY[@]-}"' "$completion.sh"
 }
 zsh_offers() {
     zsh -f -c '
@@ -21,7 +22,7 @@ zsh_offers() {
         _files() { print -l -- * }
         . "$0"
         words=("${(@s: :)1}") CURRENT=${#words}
-        _rotconv' "$completion" "$1"
+        _rotconv' "$completion.sh" "$1"
 }
 
 fish_offers() {

@@ -38,8 +38,8 @@ for command in $commands; do
     done
 done
 
-# Options that texts name, of the program and of the pages, are those of a command: --list is a word for list, --csv is of ros2,
-# --allow-... are two, and --deg to --quiet are second names.
+# Options that texts name, of the program and of the pages, are those of a command: --list is a word for list, --complete what
+# shells ask, --csv is of ros2, --allow-... are two, and --deg to --quiet are second names.
 known=$({
     "$program" --help
     for command in $commands; do "$program" "$command" --help; done
@@ -49,7 +49,7 @@ named=$({
     mandoc -T ascii -O width=1000 "$page" "$conventions" | sed 's/.\x08//g'
 } | grep -oE -- '(^|[^a-z-])--[a-z][a-z-]+' | sed 's/^[^-]//' | sort -u)
 for option in $named; do
-    printf '%s\n' --list --csv --allow- --deg --cols --prec --json --quiet "$known" | grep -qxF -- "$option" || fail "a text names $option, which no command has"
+    printf '%s\n' --list --complete --csv --allow- --deg --cols --prec --json --quiet "$known" | grep -qxF -- "$option" || fail "a text names $option, which no command has"
 done
 
 # The worked example: all representations, each line written from the quaternion and read back.
