@@ -16,9 +16,6 @@
 namespace rotconv::cli {
 namespace {
 
-/// Bytes of the longest text that is a unit, without blanks and _: microseconds.
-constexpr std::size_t longest_unit = 12;
-
 /// Whether a name has a unit of angles by time.
 bool is_unit_of_rate(std::string_view name) {
     const std::string text = lower(name);
@@ -269,9 +266,6 @@ std::string_view unit_of(std::string_view text) {
          {"ns", " ns nsec nsecs nanosecond nanoseconds "}}};
     std::string unit = lower(text);
     std::erase_if(unit, [](char c) { return c == ' ' || c == '\t' || c == '_'; });
-    if (unit.size() > longest_unit) {
-        return {};
-    }
     for (const std::string_view per_second : {"", "/sec", "/s", "s^-1", "s-1", "pers", "s"}) {
         const std::string word = unit.substr(0, unit.size() - std::min(unit.size(), per_second.size()));
         for (const auto& [name, words] : units) {
@@ -292,7 +286,7 @@ std::pair<std::string, std::string_view> name_and_unit(const std::string& text) 
         return {lower(stream::trimmed(text.substr(0, bracket))),
                 unit_of(std::string_view(text).substr(bracket + 1, text.size() - bracket - 2))};
     }
-    constexpr std::size_t longest_tail = 2 * longest_unit; // with its _
+    constexpr std::size_t longest_tail = 24; // microseconds with its _
     for (std::size_t at = text.find('_', std::max(text.size(), longest_tail + 1) - longest_tail);
          at != std::string::npos; at = text.find('_', at + 1)) { // the first behind which there is a unit, and no more
         if (const auto unit = unit_of(std::string_view(text).substr(at)); !unit.empty()) {
