@@ -368,8 +368,9 @@ private:
         read_.words.push_back({meant.empty() ? std::string(unit_of_word(word)) : meant, group});
     }
 
-    /// The tokens of brackets at `at` that hold only a unit or a word of convention: (xyzw), (w, x, y, z).
-    [[nodiscard]] std::size_t remark_size(std::size_t at = 0) const {
+    /// The words in brackets at `at` that hold only a unit or a word of convention, (xyzw), (w, x, y, z), joined, and
+    /// how many tokens they are with the brackets; 0: there is no such remark.
+    [[nodiscard]] std::pair<std::string, std::size_t> remark(std::size_t at = 0) const {
         std::string letters;
         std::size_t size = at + 1;
         for (; peek(size).kind == TokenKind::word || peek(size).kind == TokenKind::separator; ++size) {
@@ -377,15 +378,14 @@ private:
         }
         const bool has_meaning = letters == "wxyz" || letters == "xyzw" ||
                                  (size == at + 2 && (is_unit(peek(at + 1)) || is_convention(peek(at + 1))));
-        return peek(at).kind == TokenKind::open && peek(size).kind == TokenKind::close && has_meaning ? size - at + 1
-                                                                                                      : 0;
+        const bool is_remark = peek(at).kind == TokenKind::open && peek(size).kind == TokenKind::close && has_meaning;
+        return {std::move(letters), is_remark ? size - at + 1 : 0};
     }
+    [[nodiscard]] std::size_t remark_size(std::size_t at = 0) const { return remark(at).second; }
     bool take_remark(std::size_t group) {
-        const std::size_t size = remark_size();
-        std::string letters;
+        const auto [letters, size] = remark();
         for (std::size_t i = 0; i < size; ++i) {
-            const Token& token = take();
-            letters += token.kind == TokenKind::word ? token.text : "";
+            take();
         }
         if (size > 0) {
             add_word(letters, group);
