@@ -234,10 +234,8 @@ private:
         }
     }
     void add(const stream::Diagnostic& diagnostic) {
-        Count& count = counts_[{diagnostic.place.side, diagnostic.kind}];
-        if (count.rows == 0) {
-            count.first = diagnostic;
-        }
+        Count& count =
+            counts_.try_emplace({diagnostic.place.side, diagnostic.kind}, Count{.first = diagnostic}).first->second;
         if (count.rows > 0 && count.last_line >= diagnostic.place.line) { // a reference's row may be in several pairs
             return;
         }
