@@ -124,11 +124,8 @@ private:
     }
     [[nodiscard]] bool is_left_out(std::size_t group) const {
         const std::string& label = text_.groups[group].label;
-        return (group != 0 && is_aside(label) && !is_operation(label)) ||
-               std::ranges::all_of(labels_in(group),
-                                   [](const std::string& each) {
-                                       return !each.empty() && (is_aside(each) || is(vocabulary::size, each));
-                                   }) ||
+        const auto is_of_other = [](const std::string& each) { return is_aside(each) || is(vocabulary::size, each); };
+        return (is_aside(label) && !is_operation(label)) || std::ranges::all_of(labels_in(group), is_of_other) ||
                std::ranges::any_of(with_parents(group), [this](std::size_t each) {
                    return is(" header stamp ", parts_of_label(text_.groups[each].label).back());
                });
