@@ -12,15 +12,6 @@
 
 using namespace program;
 
-// Catches a missing truncation, which leaves the old end.
-TEST_CASE("a longer file is replaced and not written over") {
-    const Folder folder;
-    const auto out = folder / "out";
-    write_file(out, repeated("old\n", 1000));
-    CHECK(run(reorder + "-o " + out.string(), "1 0 0 0\n") == done(""));
-    CHECK(read_file(out) == "0 0 0 1\n");
-}
-
 // Catches output that is kept until the end.
 TEST_CASE("an output file is written as soon as there are rows") {
     const Folder folder;
@@ -64,12 +55,6 @@ TEST_CASE("the same file for input and output is refused and kept") {
     // the shell's redirection
     CHECK(run(reorder + "-o " + path, {}, {.input_file = file}).exit_code == 2);
     CHECK(read_file(file) == bytes);
-}
-
-// Catches a failed read taken for the end of the input.
-TEST_CASE("a folder on stdin ends the run") {
-    const Folder folder;
-    CHECK(run(reorder, {}, {.input_file = folder / ""}) == stopped("", {"rotconv: -"}));
 }
 
 // Catches a failed write that nobody looked at.

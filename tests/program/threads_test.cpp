@@ -241,13 +241,13 @@ TEST_CASE("interrupted threads lose nothing") {
     CHECK((process.finish() == expected));
 }
 
-// Catches blocks that pile up where the reader is slow, and short rows that become long ones in each of many
-// blocks.
+// Catches blocks that pile up where the reader is slow, short rows that become long ones in each of many blocks, and
+// diagnostics that are kept.
 TEST_CASE("memory does not grow with the stream, and little with the threads") {
     const std::size_t rows = 200'000;
-    const std::string options = GENERATE(as<std::string>{}, "dcm --diagnostics columns --format json --threads 2",
-                                         "dcm --diagnostics columns --format json --threads 16",
-                                         "rpy --diagnostics off --continuous --threads 2");
+    const std::string options = GENERATE(
+        as<std::string>{}, "rotvec --threads 1", "dcm --diagnostics columns --format json --threads 2",
+        "dcm --diagnostics columns --format json --threads 16", "rpy --diagnostics off --continuous --threads 2");
     const Folder folder;
     const auto file = folder / "rows";
     write_file(file, repeated("1 2 3 4\n4 3 2 1\n", rows));
