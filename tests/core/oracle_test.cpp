@@ -1,4 +1,4 @@
-// The oracle itself, against vectors that another program made with 60-digit arithmetic; and rotconv against the same.
+// The oracle itself, against vectors that another program made with 60-digit arithmetic.
 
 #include <fstream>
 #include <sstream>
@@ -51,18 +51,6 @@ TEST_CASE("the oracle agrees with vectors from elsewhere to a thousandth of eps"
         worst = std::max(worst, oracle::error_in_eps(vector.exact, oracle::attitude(vector.spec, vector.numbers)));
     }
     CHECK(worst < 0.002);
-}
-
-// Catches an error common to the code and the oracle.
-TEST_CASE("conversions to quat stay within their limits on vectors from elsewhere") {
-    const auto quat = accuracy::spec("quat");
-    for (const auto& vector : vectors()) {
-        const auto result = accuracy::own(vector.spec, quat)(vector.numbers);
-        const double limit =
-            accuracy::limit_from(vector.spec) + (vector.spec.name == rotconv::RepresentationId::quat ? 1.0 : 0.0);
-        INFO(rotconv::representation(vector.spec.name).text);
-        CHECK(oracle::error_in_eps(vector.exact, oracle::attitude(quat, result)) <= limit);
-    }
 }
 
 // Catches a defect that is measured in another norm.
