@@ -6,6 +6,10 @@ cd "$1"
 work=$(mktemp)
 drawn=$(mktemp -d)
 trap 'rm -rf "$work" "$drawn"' EXIT
+fail() {
+    echo "FAILED: $*"
+    exit 1
+}
 
 # Each chart can be drawn from what was measured.
 if command -v gnuplot > /dev/null; then
@@ -14,25 +18,16 @@ if command -v gnuplot > /dev/null; then
         (cd "$scripts" && gnuplot -e "csv='$charts/${each%:*}.csv'; out='$drawn'" "${each#*:}.gp")
     done
     for each in charts/*.svg; do
-        [ -s "$drawn/${each#charts/}" ] || {
-            echo "no script draws $each"
-            exit 1
-        }
+        [ -s "$drawn/${each#charts/}" ] || fail "no script draws $each"
     done
 fi
 
 # claims PAGE MEASUREMENT PROGRAM: the program of awk prints phrases that stand in the page, however its lines are broken.
 claims() {
     awk -F, "$3" "charts/$2" | sed 's/e[+]0*/e/; s/e-0*/e-/g' > "$work"
-    [ -s "$work" ] || {
-        echo "$1: nothing was measured"
-        exit 1
-    }
+    [ -s "$work" ] || fail "$1: nothing was measured"
     while IFS= read -r phrase; do
-        tr '\n' ' ' < "$1" | grep -qF -- "$phrase" || {
-            echo "$1 does not say: $phrase"
-            exit 1
-        }
+        tr '\n' ' ' < "$1" | grep -qF -- "$phrase" || fail "$1 does not say: $phrase"
     done < "$work"
 }
 # shellcheck disable=SC2016 # the programs are for awk
@@ -127,10 +122,7 @@ while IFS='|' read -r _ set _ _ error drift time _; do
     *magnus*) integrator=$2 ;;
     *) integrator=rk4 ;;
     esac
-    measured=$(grep "^$1 $integrator " "$work") || {
-        echo "not measured: $1 $integrator"
-        exit 1
-    }
+    measured=$(grep "^$1 $integrator " "$work") || fail "not measured: $1 $integrator"
     error=$(echo $error)
     drift=$(echo $drift)
     seconds=$(echo "$time" | tr -d ' ' | awk '{ printf "%.3g", $1 }')
@@ -142,20 +134,13 @@ while IFS='|' read -r _ set _ _ error drift time _; do
         exit 1
         ;;
     esac
-    echo "$measured $seconds" | awk '{ exit !($6 > 0.99 * $5 && $6 < 1.01 * $5) }' || {
-        echo "the page says $seconds ns, the measurement $measured"
-        exit 1
-    }
+    echo "$measured $seconds" | awk '{ exit !($6 > 0.99 * $5 && $6 < 1.01 * $5) }' ||
+        fail "the page says $seconds ns, the measurement $measured"
     found=$((found + 1))
 done <<END
 $(grep '^| `' comparison.md | grep -v half-turn)
 END
 sets=$(sed -n 's/^| `\([^`:]*\).*/\1/p' comparison.md | sort -u | wc -l)
-head -n 1 comparison.md | grep -q " eight " && [ "$sets" -eq 8 ] || {
-    echo "$sets sets are listed: $(head -n 1 comparison.md)"
-    exit 1
-}
-[ "$found" -eq 9 ] || {
-    echo "$found rows of the table were checked, not 9"
-    exit 1
-}
+head -n 1 comparison.md | grep -q " eight " && [ "$sets" -eq 8 ] ||
+    fail "$sets sets are listed: $(head -n 1 comparison.md)"
+[ "$found" -eq 9 ] || fail "$found rows of the table were checked, not 9"

@@ -7,38 +7,30 @@ build=$2
 source=$3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+fail() {
+    echo "FAILED: $*"
+    exit 1
+}
 
 "$cmake" --install "$build" --prefix "$work/usr" > "$work/log"
 for file in bin/rotconv include/rotconv/rotconv.hpp share/man/man1/rotconv.1 share/doc/rotconv/LICENSE \
     share/doc/rotconv/LGPL-2.1 share/bash-completion/completions/rotconv share/zsh/site-functions/_rotconv \
     share/fish/vendor_completions.d/rotconv.fish share/pkgconfig/rotconv.pc; do
-    [ -f "$work/usr/$file" ] || {
-        echo "FAILED: $file is not installed"
-        exit 1
-    }
+    [ -f "$work/usr/$file" ] || fail "$file is not installed"
 done
 # Each library of CMakeLists.txt, and the two runtimes, has its notice.
 for library in $(sed -n 's/^find_package(\([A-Za-z]*\).*/\1/p' "$source/CMakeLists.txt" | grep -v Threads) 'libstdc++' 'GNU.C.library'; do
-    grep -qi "^\(the \)\?$library" "$work/usr/share/doc/rotconv/NOTICES" || {
-        echo "FAILED: no notice of $library"
-        exit 1
-    }
+    grep -qi "^\(the \)\?$library" "$work/usr/share/doc/rotconv/NOTICES" || fail "no notice of $library"
 done
 version=$("$work/usr/bin/rotconv" --version)
 version=${version% (*} # without the kernels of this processor
-grep -q "^version: ${version#rotconv }$" "$work/usr/share/doc/rotconv/CITATION.cff" || {
-    echo "FAILED: CITATION.cff is not of the version of the program, $version"
-    exit 1
-}
+grep -q "^version: ${version#rotconv }$" "$work/usr/share/doc/rotconv/CITATION.cff" ||
+    fail "CITATION.cff is not of the version of the program, $version"
 grep -q "^set(PACKAGE_VERSION \"${version#rotconv }\")" "$work"/usr/lib*/cmake/rotconv/rotconvConfigVersion.cmake \
-    "$work"/usr/lib*/*/cmake/rotconv/rotconvConfigVersion.cmake 2> /dev/null || {
-    echo "FAILED: the package is not of the version of the program, $version"
-    exit 1
-}
-if ldd "$work/usr/bin/rotconv" | grep -vE 'statically linked|linux-vdso|libstdc\+\+|libgcc_s|libm\.|libc\.|ld-linux'; then
-    echo "FAILED: the program needs more than the C and C++ runtime"
-    exit 1
-fi
+    "$work"/usr/lib*/*/cmake/rotconv/rotconvConfigVersion.cmake 2> /dev/null ||
+        fail "the package is not of the version of the program, $version"
+! ldd "$work/usr/bin/rotconv" | grep -vE 'statically linked|linux-vdso|libstdc\+\+|libgcc_s|libm\.|libc\.|ld-linux' ||
+    fail "the program needs more than the C and C++ runtime"
 
 cp -r "$source/examples/cpp" "$work/project"
 cp "$source/tests/package/consumer.cpp" "$work/project"
@@ -57,10 +49,7 @@ END
 }
 "$work/project/build/consumer"
 for type in $(sed -nE 's/^(class|struct) ([A-Za-z]+) .*\{.*/\2/p' "$work"/usr/include/rotconv/*.hpp); do
-    grep -qw "$type" "$source/tests/package/consumer.cpp" || {
-        echo "FAILED: consumer.cpp does not use $type"
-        exit 1
-    }
+    grep -qw "$type" "$source/tests/package/consumer.cpp" || fail "consumer.cpp does not use $type"
 done
 
 # The same by pkg-config, from a tree that was moved. Catches a path of the build, and a library or folder that is not named.
@@ -69,10 +58,8 @@ if command -v pkg-config > /dev/null && pkg-config --exists eigen3; then
     cp -r "$work/usr" "$work/moved"
     PKG_CONFIG_PATH=$work/moved/share/pkgconfig
     export PKG_CONFIG_PATH
-    [ "rotconv $(pkg-config --modversion rotconv)" = "$version" ] || {
-        echo "FAILED: rotconv.pc is not of the version of the program, $version"
-        exit 1
-    }
+    [ "rotconv $(pkg-config --modversion rotconv)" = "$version" ] ||
+        fail "rotconv.pc is not of the version of the program, $version"
     # shellcheck disable=SC2046,SC2086 # lists of options
     "$compiler" -std=c++20 ${CXXFLAGS:-} -c "$work/project/attitude.cpp" -o "$work/attitude.o" $(pkg-config --cflags rotconv)
     # The warnings of clang 14 in Eigen are no errors of a user's.
@@ -85,15 +72,11 @@ if command -v pkg-config > /dev/null && pkg-config --exists eigen3; then
     # shellcheck disable=SC2046,SC2086 # likewise
     "$compiler" ${CXXFLAGS:-} -static "$work/attitude.o" -o "$work/attitude_static" $(pkg-config --static --libs rotconv)
     for program in attitude attitude_static; do
-        [ "$("$work/$program")" = "$("$work/project/build/attitude")" ] || {
-            echo "FAILED: $program, built by pkg-config, says something else"
-            exit 1
-        }
+        [ "$("$work/$program")" = "$("$work/project/build/attitude")" ] ||
+            fail "$program, built by pkg-config, says something else"
     done
-    ! ldd "$work/attitude_static" > /dev/null 2>&1 || ldd "$work/attitude_static" | grep -q 'statically' || {
-        echo "FAILED: by pkg-config --static the program is not static"
-        exit 1
-    }
+    ! ldd "$work/attitude_static" > /dev/null 2>&1 || ldd "$work/attitude_static" | grep -q 'statically' ||
+        fail "by pkg-config --static the program is not static"
     unset PKG_CONFIG_PATH
 else
     echo "pkg-config is not installed, and is left out"
@@ -105,10 +88,7 @@ mkdir -p "$work/empty/Eigen"
 : > "$work/empty/Eigen/Geometry"
 for header in "$work"/usr/include/rotconv/*.hpp; do
     "$compiler" -std=c++17 -fsyntax-only -x c++ -I "$work/usr/include" -I "$work/empty" "$header" 2>&1 | grep error |
-        head -n 1 | grep -q 'rotconv needs C++20' || {
-        echo "FAILED: $header does not ask for C++20"
-        exit 1
-    }
+        head -n 1 | grep -q 'rotconv needs C++20' || fail "$header does not ask for C++20"
 done
 
 cat > "$work/expected" <<'END'
@@ -145,8 +125,6 @@ END
 
 # What the README shows stands in a program that was built.
 sed -n '/^```cpp/,/^```/p' "$source/README.md" | grep -v '^```' | while read -r line; do
-    cat "$source"/examples/cpp/*.cpp | grep -qF "$line" || {
-        echo "FAILED: README.md has a line of C++ that no example has: $line"
-        exit 1
-    }
+    cat "$source"/examples/cpp/*.cpp | grep -qF "$line" ||
+        fail "README.md has a line of C++ that no example has: $line"
 done
