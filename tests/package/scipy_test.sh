@@ -1,8 +1,9 @@
 #!/bin/sh
-# evo_test.sh DATA: the figures of compare are those of the rotation part of evo's absolute and relative pose error, by evo's
-# formulas in SciPy, for real attitudes against copies with noise, at another rate and with constant turns, as they are and
-# aligned. Catches an angle of the wrong product, a deviation divided by n - 1, an alignment of the wrong side that is not the
-# best. 77, which is skipped, where there is no SciPy.
+# scipy_test.sh DATA: what SciPy says. The figures of compare are those of the rotation part of evo's absolute and relative pose
+# error, by evo's formulas, for real attitudes against copies with noise, at another rate and with constant turns, as they are and
+# aligned; two of the examples with vectors have its numbers, and the lines of Python in the README run. Catches an angle of the wrong
+# product, a deviation divided by n - 1, an alignment of the wrong side that is not the best, the inverse, columns that are taken for
+# each other. 77, which is skipped, where there is no SciPy.
 set -eu
 data=$1
 for python in python3 /usr/bin/python3 ""; do
@@ -129,3 +130,30 @@ print(f"{cases} cases, {failures} figures differ")
 sys.exit(failures > 0)
 END
 "$python" "$work/evo.py" "$data" "$work"
+
+cd "$data"
+bias=$(rotconv rotate -f quat --columns q_RS_w,q_RS_x,q_RS_y,q_RS_z,b_a_RS_S_x,b_a_RS_S_y,b_a_RS_S_z euroc.csv |
+    sed '/^#/d' | tr -d '\r' | awk -F , 'NF > 9 { print $5, $6, $7; next } { exit 1 }' | tr '\n' ';')
+sight=$(grep -v '^#' tum_fr1_xyz.txt | sed 's/$/ 0 0 1/' |
+    rotconv rotate -f quat:tum --columns 5-11 --diagnostics off | cut -d ' ' -f 5-7 | tr '\n' ';')
+BIAS=$bias SIGHT=$sight "$python" - <<'END'
+import os
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+def rows_of(name):
+    return np.array([[float(x) for x in row.split()] for row in os.environ[name].strip(";").split(";")])
+
+euroc = np.loadtxt("euroc.csv", delimiter=",")
+tum = np.loadtxt("tum_fr1_xyz.txt")
+bias = Rotation.from_quat(np.roll(euroc[:, 4:8], -1, axis=1)).apply(euroc[:, 14:17])
+sight = Rotation.from_quat(tum[:, 4:8]).apply([0, 0, 1])
+assert rows_of("BIAS").shape == bias.shape and rows_of("SIGHT").shape == sight.shape
+worst = max(np.abs(rows_of("BIAS") - bias).max(), np.abs(rows_of("SIGHT") - sight).max())
+assert worst < 1e-15, worst
+END
+{
+    sed -n '/^```python$/,/^```$/{/^```/!p;}' ../../README.md
+    echo 'turn = np.degrees(2 * np.arctan2(0.6, 0.8))'
+    echo 'assert np.allclose(angles, [[0, 0, turn], [0, turn, 0]], rtol=0, atol=1e-12), angles'
+} | "$python" -
