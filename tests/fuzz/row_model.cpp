@@ -217,9 +217,8 @@ public:
     }
 
 private:
-    /// Settles where rows begin. False where that is not modelled: a header, comments above the rows, and rows that are
-    /// not numeric in the place of the first. Where the options say that all lines are rows, the first numeric one
-    /// fixes delimiter and width.
+    /// Settles where rows begin. False where that is not modelled: a header, comments above the rows, and a first row
+    /// that cannot be read, which may be a header or the title of one.
     bool begin(std::string_view text) {
         if (text.starts_with("\xEF\xBB\xBF")) {
             text.remove_prefix(3);
@@ -230,23 +229,13 @@ private:
         if (first == lines_.end() || (rules_.kept > 0 && text.find('T') != std::string_view::npos)) {
             return false; // an ISO time may stand in the place of a number
         }
-        const bool is_told = rules_.header == "no";
-        auto numeric = first;
-        std::size_t looked_at = 0;
-        for (; numeric != lines_.end() && !(numeric->row() && is_numeric(*numeric)); ++numeric) {
-            looked_at += numeric->row() ? 1 : 0;
-        }
-        constexpr std::size_t few = 50; // the program looks at twice as many, but not at long ones
-        const bool is_found = numeric != lines_.end() && looked_at < few &&
-                              numeric->text.data() - text.data() < std::ptrdiff_t{32} * 1024;
-        if (!is_found && (looked_at >= few || numeric != lines_.end() || !is_told)) {
+        delimiter_ = delimiter_of(first->text, rules_.delimiter);
+        line_end_ = first->end.empty() ? "\n" : first->end;
+        Fields fields;
+        std::vector<std::string> texts;
+        if (!numbers_of(*first, fields, texts)) {
             return false;
         }
-        const Line& row = is_found && (rules_.on_error != "stop" || numeric == first) ? *numeric : *first;
-        delimiter_ = delimiter_of(row.text, rules_.delimiter);
-        line_end_ = row.end.empty() ? "\n" : row.end;
-        Fields fields;
-        static_cast<void>(split(row.text, delimiter_, fields));
         if (!rules_.columns.empty()) {
             width_ = width_of(fields, delimiter_);
         }
@@ -254,36 +243,8 @@ private:
             std::ranges::find(delimiters, delimiter_, [](const auto& entry) { return entry.second; });
         meet(fmt::format("{} delimiter {}", rules_.delimiter.empty() ? "detected" : "given",
                          named == delimiters.end() ? "character" : named->first));
-        return is_told || (numeric == first && rules_.header == "auto" &&
-                           std::none_of(lines_.begin(), first, [](const Line& line) { return line.comment; }));
-    }
-
-    /// Whether the selected fields are numbers or words for a missing one, at least one of them a number.
-    [[nodiscard]] bool is_numeric(const Line& line) const {
-        const char delimiter = delimiter_of(line.text, rules_.delimiter);
-        Fields fields;
-        if (!split(line.text, delimiter, fields)) {
-            return false;
-        }
-        const Width width = width_of(fields, delimiter);
-        if (rules_.columns.empty() && width.fields != rules_.inputs && width.filled != rules_.inputs) {
-            return false;
-        }
-        bool has_number = false;
-        for (const std::size_t at : positions_) {
-            if (at >= fields.size()) {
-                return false;
-            }
-            const std::string text = content(fields[at], delimiter);
-            double value = 0.0;
-            const bool is_number = read(text, value);
-            constexpr std::string_view missing = " na n/a null none nil - ? . ";
-            if (!is_number && !text.empty() && missing.find(" " + lower(text) + " ") == std::string_view::npos) {
-                return false;
-            }
-            has_number = has_number || is_number;
-        }
-        return has_number;
+        return rules_.header == "no" ||
+               (rules_.header == "auto" && std::ranges::none_of(lines_.begin(), first, &Line::comment));
     }
 
     void meet(std::string rule) { outcome_.met.push_back(std::move(rule)); }
