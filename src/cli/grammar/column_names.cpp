@@ -192,11 +192,29 @@ bool is_shared(const Spelling& spelling, std::string_view prefix, std::string_vi
                    : has_at_end(prefix, "w omega gyro gyr gyroscope angular_velocity");
 }
 
+/// A name without what stands between two digits: mat[11] of Mat[1][1], r11 of r_1_1.
+std::string with_indices_joined(const std::string& name) {
+    const auto is_digit_at = [&name](std::size_t at) { return at < name.size() && is_digits(name.substr(at, 1)); };
+    std::string joined;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        std::size_t next = i + 1;
+        while (next < name.size() && !is_alphanumeric(name[next])) {
+            ++next;
+        }
+        joined += name[i];
+        i = is_digit_at(i) && is_digit_at(next) ? next - 1 : i;
+    }
+    return joined;
+}
+
 /// All sets of names, each once; those that do not decide only where no other is.
 std::vector<KnownNames> all_sets(const Part& part, std::span<const std::string> names) {
     std::vector<std::vector<std::string>> texts{mapped(names, lower)};
     texts.push_back(mapped(names, [](const std::string& name) { return name_and_unit(name).first; }));
     texts.resize(texts[0] == texts[1] ? 1 : 2); // without units, if there are any
+    if (part.attitude && part.attitude->name == RepresentationId::dcm) {
+        texts.push_back(mapped(texts.back(), with_indices_joined));
+    }
     std::vector<KnownNames> found;
     std::set<std::vector<std::size_t>> known;
     const auto spellings = spellings_of(part);
