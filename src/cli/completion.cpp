@@ -34,7 +34,8 @@ std::string completions(std::span<const std::string> before, std::string word) {
         prefix += word.substr(0, mark + 1);
         word.erase(0, mark + 1);
     };
-    if (const auto equals = word.find('='); awaited == nullptr && word.starts_with("--") && equals != word.npos) {
+    if (const auto equals = word.find('=');
+        awaited == nullptr && word.starts_with("--") && equals != std::string::npos) {
         awaited = awaiting(word.substr(0, equals));
         split_behind(equals);
     }
