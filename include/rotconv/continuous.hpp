@@ -19,7 +19,7 @@ public:
     /// Gives the canonical numbers of a row of run() once more, and their rest in many doubles, by Conversion::again().
     using Again = std::function<void(std::size_t row, std::span<double> numbers, std::span<double> rest)>;
 
-    explicit ContinuousNumbers(const Spec& spec) noexcept;
+    explicit ContinuousNumbers(const Spec& spec) noexcept : spec_(spec) {}
 
     /// Whether attitudes have other numbers than the canonical ones. If not, run() changes nothing.
     [[nodiscard]] bool have_choice() const noexcept;
@@ -41,7 +41,6 @@ private:
                 std::size_t row);
 
     Spec spec_;
-    const Codec* codec_;
     bool has_last_ = false;
     std::array<double, 4> last_{}; ///< as written; no representation with a choice has more
 };

@@ -83,8 +83,6 @@ requires(std::same_as<Element, Eigen::Quaterniond> || Element::SizeAtCompileTime
     return {reinterpret_cast<const double*>(elements.data()), elements.size() * (sizeof(Element) / sizeof(double))};
 }
 
-struct Codec;
-
 struct ZeroTable;
 
 /// The conversion from one representation to another, resolved once and then run over batches of rows.
@@ -118,13 +116,9 @@ public:
     void again(std::span<const double> row, std::span<double> numbers, std::span<double> rest) const;
 
 private:
-    void run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports, std::span<double> rest,
-             std::size_t rest_size) const;
-
     Spec from_;
     Spec to_;
     ConversionSettings settings_;
-    const Codec* out_codec_;
     std::shared_ptr<ZeroTable> zeros_;
 };
 

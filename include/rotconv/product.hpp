@@ -38,9 +38,6 @@ public:
     void again(std::span<const double> row, std::span<double> numbers, std::span<double> rest) const;
 
 private:
-    void run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports, std::span<double> rest,
-             std::size_t rest_size) const;
-
     Spec first_;
     Spec second_;
     Spec to_;

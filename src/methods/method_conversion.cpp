@@ -11,6 +11,7 @@
 #include <rotconv/comparison.hpp>
 
 #include "../core/conversion/input_batch.hpp"
+#include "../core/representations/euler_formulas.hpp"
 #include "formulas.hpp"
 
 namespace rotconv {
@@ -50,17 +51,14 @@ std::vector<double> run(const Conversion& conversion, std::span<const double> in
 
 /// Converts Euler angles of the sequence without its signs to those of the SPEC.
 void put_in_range(const Spec& to, double* angles) noexcept {
-    const double half_turn = to.unit == AngleUnit::degrees ? 180.0 : std::numbers::pi;
-    const bool is_second_triple = to.sequence.proper() && to.sequence.sign(1) < 0.0; // a + pi, -b, c + pi
+    const AngleRanges ranges(FixedAxes(to.sequence), to);
+    const double half_turn = ranges.half_turn.hi;
     for (const std::size_t outer : {std::size_t{0}, std::size_t{2}}) {
-        const double angle = to.sequence.sign(outer) * angles[outer] + (is_second_triple ? half_turn : 0.0);
-        const double full_turns = angle / (2.0 * half_turn);
-        angles[outer] = angle - 2.0 * half_turn * (to.positive ? std::floor(full_turns) : std::ceil(full_turns - 0.5));
-        if (to.positive && angles[outer] >= 2.0 * half_turn) { // by rounding
-            angles[outer] = 0.0;
-        }
+        const double angle = to.sequence.sign(outer) * angles[outer] + (ranges.is_other ? half_turn : 0.0);
+        angles[outer] = ranges.outer(angle > half_turn ? angle - 2.0 * half_turn : angle);
+        angles[outer] = to.positive ? ranges.positive(angles[outer]) : angles[outer];
     }
-    angles[1] *= is_second_triple ? 1.0 : to.sequence.sign(1);
+    angles[1] *= ranges.is_other ? 1.0 : to.sequence.sign(1);
 }
 
 } // namespace

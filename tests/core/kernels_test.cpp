@@ -117,14 +117,14 @@ TEST_CASE("both targets give the same bits for numbers of every size, row for ro
         }
         const rotconv::ExactQuaternion turn{{0.6, 0.0, 1e-170, 0.8}, {1e-20, 0.0, 0.0, 0.0}, 0.0};
         const rotconv::FixedFactor factor{.numbers = {0.6, 0.0, 1e-170, 0.8}, .rest = {1e-20}};
-        const rotconv::FixedRotations turns{batch % 5 == 0, false, turn, {}, &factor, 1, nullptr, 0};
+        const rotconv::FixedRotations turns{{turn, &factor, batch % 5 == 0 ? 1U : 0U}, {}};
         rotconv::ZeroTable zeros;
-        const rotconv::ConversionBatch task{&from, &to, 1e-15, &turns, &zeros};
-        for (const auto convert : {&KernelTable::convert, &KernelTable::convert_fast}) {
+        const rotconv::Task task{&from, &to, 1e-15, &turns, &zeros};
+        for (const auto convert : {&KernelTable::run, &KernelTable::run_fast}) {
             Answers plain;
             Answers fused;
             const auto run = [&](const KernelTable& table, Answers& answers) {
-                (table.*convert)(task, rows.data(), batch_rows, answers.attitudes, answers.numbers.data(),
+                (table.*convert)(task, {rows.data()}, batch_rows, {answers.attitudes}, answers.numbers.data(),
                                  batch % 2 == 0 ? answers.rest.data() : nullptr, answers.diagnostics.data());
             };
             run(rotconv::kernels_of_any_processor, plain);

@@ -40,11 +40,11 @@ ROTCONV_INLINE void multiply_from_side(const ExactQuaternion& by, bool from_the_
 }
 /// By what there may be.
 template <class T> ROTCONV_INLINE void multiply_by(const FixedRotations& by, T (&q)[4]) noexcept {
-    if (by.has_left) {
-        multiply_from_side(by.left, true, q);
+    if (by.left.count > 0) {
+        multiply_from_side(by.left.rotation, true, q);
     }
-    if (by.has_right) {
-        multiply_from_side(by.right, false, q);
+    if (by.right.count > 0) {
+        multiply_from_side(by.right.rotation, false, q);
     }
 }
 /// R_REF' R.
@@ -95,33 +95,41 @@ template <class T> ROTCONV_INLINE void interpolate(const double* fractions, cons
     multiply_from_side({part.cosine, turn[1] * factor, turn[2] * factor, turn[3] * factor}, false, p);
 }
 
-/// Applies a rotation that only permutes and negates axes exactly, to matrices; otherwise does nothing.
-inline bool move_axes(const Spec& spec, const ExactQuaternion& by, bool from_the_left, bool inverse, const double*& in,
+/// Applies a rotation that only permutes and negates axes exactly, to matrices, and leaves none.
+inline void move_axes(const Spec& spec, FixedSide& side, bool from_the_left, bool inverse, const double*& in,
                       std::size_t rows, double* out) noexcept {
+    if (spec.name != RepresentationId::dcm || side.count == 0) {
+        return;
+    }
+    const auto& [w, x, y, z] = side.rotation.hi;
+    const auto& lo = side.rotation.lo;
     double m[9];
-    scaled_matrix_of({inverse ? -by.hi[0] : by.hi[0], by.hi[1], by.hi[2], by.hi[3]}, m);
-    const double norm = squared_norm(by.hi);
-    bool moves = spec.name == RepresentationId::dcm && largest_magnitude(by.lo[0], by.lo[1], by.lo[2], by.lo[3]) == 0.0;
+    scaled_matrix_of({inverse ? -w : w, x, y, z}, m);
+    const double norm = squared_norm(side.rotation.hi);
+    bool moves = largest_magnitude(lo[0], lo[1], lo[2], lo[3]) == 0.0;
     for (double& entry : m) {
         moves = moves && (entry == 0.0 || __builtin_fabs(entry) == norm);
         entry /= norm;
     }
-    for (std::size_t k = 0; k < 9 * rows && moves; ++k) {
+    if (!moves) {
+        return;
+    }
+    for (std::size_t k = 0; k < 9 * rows; ++k) {
         const double* const a = in + k / 9 * 9;
         const std::size_t i = k % 9 / 3 * 3;
         const std::size_t j = k % 3;
         out[k] = from_the_left != inverse ? (m[i] * a[j] + m[i + 1] * a[3 + j]) + m[i + 2] * a[6 + j]
                                           : (a[i] * m[j] + a[i + 1] * m[3 + j]) + a[i + 2] * m[6 + j];
     }
-    in = moves ? out : in;
-    return moves;
+    in = out;
+    side.count = 0;
 }
 /// What is left of them when matrices have taken those that they take without a sum, which would cost small
 /// numbers digits.
 inline FixedRotations move_axes(const Spec& spec, bool inverse, FixedRotations fixed, const double*& in,
                                 std::size_t rows, double (&moved)[2][9 * batch_rows]) noexcept {
-    fixed.has_left = fixed.has_left && !move_axes(spec, fixed.left, true, inverse, in, rows, moved[0]);
-    fixed.has_right = fixed.has_right && !move_axes(spec, fixed.right, false, inverse, in, rows, moved[1]);
+    move_axes(spec, fixed.left, true, inverse, in, rows, moved[0]);
+    move_axes(spec, fixed.right, false, inverse, in, rows, moved[1]);
     return fixed;
 }
 
@@ -131,7 +139,7 @@ inline FixedRotations move_axes(const Spec& spec, bool inverse, FixedRotations f
 inline bool all_plain_numbers(const Spec& spec, const double* numbers, std::size_t rows, bool exactly) noexcept {
     const Kernel& kernel = kernel_of(spec.name);
     const double least = exactly ? kernel.least_plain_number : 0x1p-112;
-    return kernel.reading_is_exact ||
+    return kernel.is_quaternion ||
            all(numbers, rows * spec.size(), [least](double number) { return is_plain_number(number, least); });
 }
 
@@ -157,23 +165,6 @@ template <class T, class Function> void for_each_careful_row(const Spec& spec, c
 
 // Rows that 106 bits do not decide, one at a time, in Wide.
 
-/// A row of one or two attitudes, or of an attitude and a vector, and what becomes of it.
-struct CarefulTask {
-    const Spec* first;
-    bool inverts_first; ///< its numbers mean the inverse of what counts
-    const FixedRotations* fixed;
-    const Spec* second; ///< of the attitude that follows, or null
-    bool inverts;       ///< the product is inverted
-    const Spec* to;     ///< or null: a vector is rotated
-    double lock_margin;
-    ZeroTable* zeros;
-};
-struct CarefulRow {
-    const double *first, *second;
-    const double* later = nullptr;     ///< the second attitude is between two, and this is the other; or null
-    const double* fractions = nullptr; ///< where it is between them, see interpolate()
-};
-
 inline void scale_to_unit(Careful (&q)[4]) noexcept {
     int largest = q[0].exponent();
     for (const Careful& component : q) {
@@ -184,9 +175,9 @@ inline void scale_to_unit(Careful (&q)[4]) noexcept {
     }
 }
 
-inline void multiply_by(const FixedFactor* factors, std::size_t count, bool from_the_left, Careful (&q)[4]) noexcept {
-    for (std::size_t k = 0; k < count; ++k) {
-        const FixedFactor& factor = factors[from_the_left ? count - 1 - k : k];
+inline void multiply_by(const FixedSide& side, bool from_the_left, Careful (&q)[4]) noexcept {
+    for (std::size_t k = 0; k < side.count; ++k) {
+        const FixedFactor& factor = side.factors[from_the_left ? side.count - 1 - k : k];
         Careful by[4];
         kernel_of(factor.spec.name).careful.read(factor.spec, factor.numbers, by);
         for (std::size_t i = 0; i < 4; ++i) {
@@ -198,35 +189,35 @@ inline void multiply_by(const FixedFactor* factors, std::size_t count, bool from
     }
 }
 
-/// The attitude of a row, or its inverse, between the fixed rotations; its largest component was of size 1/2 to 1.
-inline void read_carefully(const Spec& spec, const double* numbers, bool inverse, const FixedRotations& all,
+/// The attitude of a row between the fixed rotations; its largest component was of size 1/2 to 1.
+inline void read_carefully(const Spec& spec, const double* numbers, const FixedRotations& all,
                            Careful (&q)[4]) noexcept {
     double moved[2][9 * batch_rows];
-    const FixedRotations fixed = move_axes(spec, inverse, all, numbers, 1, moved);
+    const FixedRotations fixed = move_axes(spec, spec.passive, all, numbers, 1, moved);
     kernel_of(spec.name).careful.read(spec, numbers, q);
     scale_to_unit(q);
-    q[0] = inverse ? -q[0] : q[0];
-    multiply_by(fixed.left_factors, fixed.has_left ? fixed.left_count : 0, true, q);
-    multiply_by(fixed.right_factors, fixed.has_right ? fixed.right_count : 0, false, q);
+    q[0] = spec.passive ? -q[0] : q[0];
+    multiply_by(fixed.left, true, q);
+    multiply_by(fixed.right, false, q);
 }
 
-/// The attitude that counts, not yet inverted.
-inline void read_carefully(const CarefulTask& task, const CarefulRow& row, Careful (&q)[4]) noexcept {
-    read_carefully(*task.first, row.first, task.inverts_first, *task.fixed, q);
+/// The attitude that is written.
+inline void read_carefully(const Task& task, const TaskNumbers& row, Careful (&q)[4]) noexcept {
+    read_carefully(*task.first, row.first, *task.fixed, q);
     if (task.second != nullptr) {
         Careful other[4];
-        read_carefully(*task.second, row.second, task.second->passive, no_rotations, other);
+        read_carefully(*task.second, row.second, no_rotations, other);
         if (row.later != nullptr) {
             Careful later[4];
-            read_carefully(*task.second, row.later, task.second->passive, no_rotations, later);
+            read_carefully(*task.second, row.later, no_rotations, later);
             interpolate(row.fractions, later, other);
         }
         multiply_from_side(other, false, q);
     }
+    q[0] = task.inverts() ? -q[0] : q[0];
 }
-inline DiagnosticSet write_carefully(const CarefulTask& task, const CarefulRow& row, Careful (&q)[4],
+inline DiagnosticSet write_carefully(const Task& task, const TaskNumbers& row, const Careful (&q)[4],
                                      Careful* results) noexcept {
-    q[0] = task.inverts ? -q[0] : q[0];
     if (task.to != nullptr) {
         return kernel_of(task.to->name).careful.write(*task.to, task.lock_margin, q, results);
     }

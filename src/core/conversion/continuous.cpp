@@ -11,9 +11,7 @@
 
 namespace rotconv {
 
-ContinuousNumbers::ContinuousNumbers(const Spec& spec) noexcept : spec_(spec), codec_(&codec_of(spec.name)) {}
-
-bool ContinuousNumbers::have_choice() const noexcept { return codec_->choose_nearest != nullptr; }
+bool ContinuousNumbers::have_choice() const noexcept { return codec_of(spec_.name).choose_nearest != nullptr; }
 
 void ContinuousNumbers::run(std::span<double> numbers, std::span<const RowReport> reports, std::span<const double> rest,
                             const Again& again) {
@@ -44,9 +42,10 @@ void ContinuousNumbers::run(std::span<double> numbers, std::span<const RowReport
 
 void ContinuousNumbers::choose(std::span<double> own, DiagnosticSet diagnostics, std::span<const double> rest,
                                const Again& again, std::size_t row) {
+    const auto choose_nearest = codec_of(spec_.name).choose_nearest;
     std::array<double, most_numbers> canonical{};
     std::ranges::copy(own, canonical.begin());
-    if (codec_->choose_nearest(spec_, last_.data(), diagnostics, rest, own.data()) || !again) {
+    if (choose_nearest(spec_, last_.data(), diagnostics, rest, own.data()) || !again) {
         return;
     }
     constexpr std::size_t rest_size = Wide::bits_of_rest / 53;
@@ -56,7 +55,7 @@ void ContinuousNumbers::choose(std::span<double> own, DiagnosticSet diagnostics,
     again(row, std::span(numbers).first(own.size()), all);
     if (std::equal(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(own.size()), canonical.begin())) {
         std::ranges::copy_n(canonical.begin(), static_cast<std::ptrdiff_t>(own.size()), own.begin());
-        static_cast<void>(codec_->choose_nearest(spec_, last_.data(), diagnostics, all, own.data()));
+        static_cast<void>(choose_nearest(spec_, last_.data(), diagnostics, all, own.data()));
     }
 }
 

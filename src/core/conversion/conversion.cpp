@@ -13,24 +13,6 @@
 namespace rotconv {
 namespace {
 
-/// Whether there may be something to report: one look at each column, because most batches have no such row.
-bool any_remarkable(const InputBatch& input, const DiagnosticSet* diagnostics, std::size_t rows,
-                    double largest_defect) noexcept {
-    const AttitudeBatch<double>& attitudes = input.attitudes;
-    // Sums of bits, because compilers vectorise those.
-    std::uint64_t defects = 0;
-    for (std::size_t i = 0; i < rows; ++i) {
-        defects |= attitudes.defect[i] <= largest_defect ? 0U : 1U;
-    }
-    std::uint8_t errors = 0;
-    DiagnosticSet kinds;
-    for (std::size_t i = 0; i < rows; ++i) {
-        errors = static_cast<std::uint8_t>(errors | static_cast<std::uint8_t>(attitudes.error[i]));
-        kinds |= diagnostics[i];
-    }
-    return defects != 0 || errors != 0 || !kinds.empty() || input.any_unusual(rows);
-}
-
 ExactQuaternion exact(const FixedRotation& fixed) noexcept {
     const Rotation& q = fixed.rotation;
     return {{q.w(), q.x(), q.y(), q.z()}, {fixed.rest[0], fixed.rest[1], fixed.rest[2], fixed.rest[3]}, fixed.off};
@@ -123,63 +105,126 @@ FixedRotation operator*(const FixedRotation& a, const FixedRotation& b) {
 }
 
 FixedRotations fixed_rotations(const FixedRotation& left, const FixedRotation& right) noexcept {
-    return {!left.factors.empty(), !right.factors.empty(), exact(left),          exact(right),
-            left.factors.data(),   left.factors.size(),    right.factors.data(), right.factors.size()};
+    return {{exact(left), left.factors.data(), left.factors.size()},
+            {exact(right), right.factors.data(), right.factors.size()}};
 }
 
-// NOLINTNEXTLINE(modernize-pass-by-value): the other arguments are references, too
-Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
-    : from_(checked(from)), to_(checked(to)), settings_(settings), out_codec_(&codec_of(to.name)),
-      zeros_(std::make_shared<ZeroTable>()) {}
-
-void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
-                     std::span<double> rest) const {
-    run(in, out, reports, rest, 1);
+RowReport report_of_pair(const InputBatch& first, const InputBatch& second, std::size_t row,
+                         const ConversionSettings& settings) noexcept {
+    RowReport report = first.report(row, settings);
+    if (report.error != Error::none) {
+        return report;
+    }
+    RowReport other = second.report(row, settings);
+    if (other.error != Error::none) {
+        other.at_fault = 1;
+        return other;
+    }
+    report.diagnostics |= other.diagnostics;
+    report.references[0] = {other.defect, other.unusual};
+    return report;
 }
 
-void Conversion::again(std::span<const double> row, std::span<double> numbers, std::span<double> rest) const {
-    std::vector<RowReport> reports;
-    run(row, numbers, reports, rest, rest.size() / to_.size());
-}
-
-void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
-                     std::span<double> rest, std::size_t rest_size) const {
+void run_task(Task task, const ConversionSettings& settings, bool interpolates, std::span<const double> in,
+              std::span<double> out, std::vector<RowReport>& reports, std::span<double> rest) {
     reports.clear();
-    // Passive output writes the inverse, (L R S)' = S' R' L': left and right change places and are inverted.
-    const FixedRotation left = to_.passive ? settings_.right.inverse() : settings_.left;
-    const FixedRotation right = to_.passive ? settings_.left.inverse() : settings_.right;
-    const FixedRotations fixed = fixed_rotations(left, right);
-    const auto convert = settings_.fast && rest_size == 1 ? kernel_table().convert_fast : kernel_table().convert;
-    const std::size_t width = to_.size();
-    check_size(rest.empty() ? out.size() : rest.size(),
-               in.size() / from_.size() * width * (rest.empty() ? 1 : rest_size));
-    const ConversionBatch batch{&from_, &to_, settings_.lock_margin, &fixed, zeros_.get(), rest_size};
-    const auto run_batch = [&](const double* numbers, std::size_t rows, double* written, std::size_t first) {
-        InputBatch input(from_, numbers, rows, from_.size());
-        std::array<DiagnosticSet, batch_rows> diagnostics;
-        if (to_.is_reordered()) { // such a representation has no Codec::choose_nearest, which alone wants `rest`
-            std::array<double, batch_rows * most_numbers> own;
-            convert(batch, input.own(), rows, input.attitudes, own.data(), nullptr, diagnostics.data());
-            to_written_order(to_, own.data(), rows, written);
-        } else {
-            convert(batch, input.own(), rows, input.attitudes, written,
-                    rest.empty() ? nullptr : &rest[first * width * rest_size], diagnostics.data());
+    const bool turns_vectors = task.to == nullptr;
+    const bool is_product = task.second != nullptr;
+    const bool is_fast = settings.fast && !turns_vectors && !is_product && task.rest_size == 1;
+    const FixedRotations fixed = turns_vectors ? no_rotations : fixed_rotations(settings.left, settings.right);
+    task.lock_margin = settings.lock_margin;
+    task.fixed = &fixed;
+    const std::size_t to_second = task.first->size();
+    const std::size_t to_later = to_second + (turns_vectors || is_product ? task.second_size() : 0);
+    const std::size_t to_fractions = to_later + task.second_size();
+    const std::size_t width = interpolates ? to_fractions + 6 : to_later;
+    const std::size_t size = task.out_size();
+    if (!rest.empty()) {
+        check_size(rest.size(), in.size() / width * size * task.rest_size);
+    }
+    const auto run_batch = [&](const double* numbers, std::size_t rows, double* written, std::size_t begin) {
+        InputBatch first(*task.first, numbers, rows, width);
+        AttitudeBatch<double> product;
+        std::unique_ptr<InputBatch> second; // large, and seldom there: optional ones would be cleared
+        std::unique_ptr<InputBatch> later;
+        std::vector<double> others;
+        const auto take_others = [&](std::size_t at, std::size_t count) {
+            for (const double* row = numbers + at; row < numbers + rows * width; row += width) {
+                others.insert(others.end(), row, row + count);
+            }
+            return others.data();
+        };
+        TaskNumbers own{.first = first.own()};
+        if (turns_vectors) {
+            own.second = take_others(to_second, 3);
+        } else if (is_product) {
+            second = std::make_unique<InputBatch>(*task.second, numbers + to_second, rows, width);
+            own.second = second->own();
         }
-        if (!any_remarkable(input, diagnostics.data(), rows, InputBatch::largest_unreported(settings_))) {
-            return;
+        if (interpolates) {
+            later = std::make_unique<InputBatch>(*task.second, numbers + to_later, rows, width);
+            own.later = later->own();
+            own.fractions = take_others(to_fractions, 6);
+        }
+        const TaskAttitudes attitudes{is_product ? product : first.attitudes, &first.attitudes,
+                                      is_product ? &second->attitudes : nullptr};
+        std::array<DiagnosticSet, batch_rows> diagnostics{};
+        const auto run = is_fast ? kernel_table().run_fast : kernel_table().run;
+        if (task.to != nullptr && task.to->is_reordered()) { // no such representation needs `rest` to be continuous
+            std::array<double, batch_rows * most_numbers> results;
+            run(task, own, rows, attitudes, results.data(), nullptr, diagnostics.data());
+            to_written_order(*task.to, results.data(), rows, written);
+        } else {
+            run(task, own, rows, attitudes, written, rest.empty() ? nullptr : &rest[begin * size * task.rest_size],
+                diagnostics.data());
+        }
+        const bool reports_second = is_product && !interpolates;
+        const auto overflows = [&](std::size_t i) { return turns_vectors && !all_finite(written + i * size, size); };
+        DiagnosticSet all;
+        std::for_each_n(diagnostics.begin(), rows, [&all](DiagnosticSet each) { all |= each; });
+        if (all.empty() && !turns_vectors && !first.any_remarkable(rows, settings) &&
+            !(reports_second && second->any_remarkable(rows, settings))) {
+            return; // as most batches
         }
         report_rows(
-            first, rows, written, width, settings_.sensitivity, reports,
-            [&](std::size_t i) { return !diagnostics[i].empty() || input.is_remarkable(i, settings_); },
-            [&](std::size_t i) { return input.report(i, settings_); },
+            begin, rows, written, size, settings.sensitivity, reports,
+            [&](std::size_t i) {
+                return !diagnostics[i].empty() || first.is_remarkable(i, settings) || overflows(i) ||
+                       (reports_second && second->is_remarkable(i, settings));
+            },
+            [&](std::size_t i) {
+                RowReport found =
+                    reports_second ? report_of_pair(first, *second, i, settings) : first.report(i, settings);
+                found.error = found.error == Error::none && overflows(i) ? Error::overflow : found.error;
+                return found;
+            },
             [&](std::size_t i, RowReport& found) {
-                if (settings_.sensitivity || !diagnostics[i].empty()) { // a row that is only normalized needs none
-                    found.sensitivity = out_codec_->sensitivity(to_, input.attitudes.at(i));
+                if (settings.sensitivity || !diagnostics[i].empty()) { // a row that is only normalized needs none
+                    const Spec& spec = turns_vectors ? *task.first : *task.to;
+                    const Rotation attitude = attitudes.written.at(i);
+                    found.sensitivity = codec_of(spec.name).sensitivity(
+                        spec, turns_vectors && spec.passive ? attitude.inverse() : attitude);
                 }
                 found.diagnostics |= diagnostics[i];
             });
     };
-    for_each_batch(in, from_.size(), out, width, run_batch);
+    for_each_batch(in, width, out, size, run_batch);
+}
+
+// NOLINTNEXTLINE(modernize-pass-by-value): the other arguments are references, too
+Conversion::Conversion(const Spec& from, const Spec& to, const ConversionSettings& settings)
+    : from_(checked(from)), to_(checked(to)), settings_(settings), zeros_(std::make_shared<ZeroTable>()) {}
+
+void Conversion::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
+                     std::span<double> rest) const {
+    run_task({.first = &from_, .to = &to_, .zeros = zeros_.get()}, settings_, false, in, out, reports, rest);
+}
+
+void Conversion::again(std::span<const double> row, std::span<double> numbers, std::span<double> rest) const {
+    std::vector<RowReport> reports;
+    const std::size_t rest_size = rest.size() / to_.size();
+    run_task({.first = &from_, .to = &to_, .zeros = zeros_.get(), .rest_size = rest_size}, settings_, false, row,
+             numbers, reports, rest);
 }
 
 } // namespace rotconv

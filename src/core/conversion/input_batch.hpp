@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -37,21 +38,27 @@ public:
     /// The numbers in the representation's own order.
     [[nodiscard]] const double* own() const noexcept { return own_; }
 
-    /// Rows with a larger defect are looked at; below 0: all are.
-    [[nodiscard]] static double largest_unreported(const ConversionSettings& settings) noexcept {
-        return settings.sensitivity ? -1.0 : std::min(settings.tolerance, reported_defect);
-    }
     /// Whether report() may have something to tell of the row.
     [[nodiscard]] bool is_remarkable(std::size_t row, const ConversionSettings& settings) const noexcept {
         return attitudes.error[row] != Error::none || !(attitudes.defect[row] <= largest_unreported(settings)) ||
                (may_be_unusual_ && is_unusual(row));
     }
-    [[nodiscard]] bool any_unusual(std::size_t rows) const noexcept {
-        bool found = false;
-        for (std::size_t i = 0; may_be_unusual_ && i < rows; ++i) {
-            found |= is_unusual(i);
+    /// The same of all, without a branch: compilers vectorise sums of bits.
+    [[nodiscard]] bool any_remarkable(std::size_t rows, const ConversionSettings& settings) const noexcept {
+        const double largest_defect = largest_unreported(settings);
+        std::uint64_t defects = 0;
+        for (std::size_t i = 0; i < rows; ++i) {
+            defects |= attitudes.defect[i] <= largest_defect ? 0U : 1U;
         }
-        return found;
+        std::uint8_t errors = 0;
+        for (std::size_t i = 0; i < rows; ++i) {
+            errors = static_cast<std::uint8_t>(errors | static_cast<std::uint8_t>(attitudes.error[i]));
+        }
+        bool unusual = false;
+        for (std::size_t i = 0; may_be_unusual_ && i < rows; ++i) {
+            unusual |= is_unusual(i);
+        }
+        return defects != 0 || errors != 0 || unusual;
     }
     /// The row's error, or its defect, what is unusual about its numbers, and whether these are to be reported.
     [[nodiscard]] RowReport report(std::size_t row, const ConversionSettings& settings) const noexcept {
@@ -76,6 +83,10 @@ public:
     AttitudeBatch<double> attitudes; ///< rounded
 
 private:
+    /// Rows with a larger defect are looked at; below 0: all are.
+    [[nodiscard]] static double largest_unreported(const ConversionSettings& settings) noexcept {
+        return settings.sensitivity ? -1.0 : std::min(settings.tolerance, reported_defect);
+    }
     /// Whether unusual_numbers() may find something: the sum of three squares is at least that of the largest, and
     /// angles in their usual ranges have a sum below 22.
     [[nodiscard]] bool is_unusual(std::size_t row) const noexcept {
@@ -132,5 +143,11 @@ void report_rows(std::size_t first, std::size_t rows, double* out, std::size_t w
 /// The report on a row of two attitudes: the first error, or what there is to tell of both.
 [[nodiscard]] RowReport report_of_pair(const InputBatch& first, const InputBatch& second, std::size_t row,
                                        const ConversionSettings& settings) noexcept;
+
+/// Runs a task over rows of the numbers of its first SPEC, then those of its second one, or of a vector; lock margin
+/// and fixed rotations are those of the settings. See Conversion::run() and again().
+/// @param interpolates the second attitudes are between two, see Composition::interpolating()
+void run_task(Task task, const ConversionSettings& settings, bool interpolates, std::span<const double> in,
+              std::span<double> out, std::vector<RowReport>& reports, std::span<double> rest);
 
 } // namespace rotconv

@@ -11,14 +11,17 @@ namespace {
 
 // Functions of a batch.
 
+bool has_rotations(const FixedRotations& by) noexcept { return by.left.count + by.right.count > 0; }
+
 template <class T> void multiply_by(const FixedRotations& by, AttitudeBatch<T>& attitudes, std::size_t rows) noexcept {
-    for (std::size_t i = 0; i < rows && (by.has_left || by.has_right); ++i) {
+    for (std::size_t i = 0; i < rows && has_rotations(by); ++i) {
         T q[4];
         attitudes.get(i, q);
         multiply_by(by, q);
         attitudes.set(i, q);
-        const double off = by.has_left ? off_of_product(by.left.off, attitudes.off[i]) : attitudes.off[i];
-        attitudes.off[i] = by.has_right ? off_of_product(by.right.off, off) : off;
+        const double off =
+            by.left.count > 0 ? off_of_product(by.left.rotation.off, attitudes.off[i]) : attitudes.off[i];
+        attitudes.off[i] = by.right.count > 0 ? off_of_product(by.right.rotation.off, off) : off;
     }
 }
 
@@ -41,51 +44,117 @@ void round(const AttitudeBatch<T>& attitudes, std::size_t rows, AttitudeBatch<do
 
 // The functions of the table.
 
-/// The attitudes of plain rows, or their inverses, between the fixed rotations.
-template <class T> void read_plainly(const Spec& spec, bool inverse, const FixedRotations& all, const double* numbers,
+/// The attitudes of plain rows, between the fixed rotations.
+template <class T> void read_plainly(const Spec& spec, const FixedRotations& all, const double* numbers,
                                      std::size_t rows, AttitudeBatch<T>& attitudes) noexcept {
     double moved[2][9 * batch_rows];
-    const FixedRotations fixed = move_axes(spec, inverse, all, numbers, rows, moved);
+    const FixedRotations fixed = move_axes(spec, spec.passive, all, numbers, rows, moved);
     batch_kernel_of<T>(spec.name).read(spec, numbers, rows, attitudes);
-    invert_if(inverse, attitudes, rows);
+    invert_if(spec.passive, attitudes, rows);
     multiply_by(fixed, attitudes, rows);
 }
 
-template <class T> void convert_plainly(const ConversionBatch& batch, const double* in, std::size_t rows,
-                                        AttitudeBatch<T>& attitudes, double* out, double* rest,
-                                        DiagnosticSet* diagnostics, std::uint64_t* doubts) noexcept {
-    const Spec& from = *batch.from;
-    const Spec& to = *batch.to;
-    read_plainly(from, from.passive != to.passive, *batch.fixed, in, rows, attitudes);
-    batch_kernel_of<T>(to.name).write(to, batch.lock_margin, attitudes, rows, out, rest, diagnostics, doubts);
+/// The same of all rows, to 106 bits.
+void read_upright(const Spec& spec, const FixedRotations& fixed, const double* numbers, std::size_t rows,
+                  AttitudeBatch<DoubleDouble>& attitudes) noexcept {
+    read_plainly(spec, fixed, numbers, rows, attitudes);
+    for_each_careful_row(spec, numbers, attitudes, rows, [&](std::size_t i) {
+        Careful q[4];
+        read_carefully(spec, numbers + i * spec.size(), fixed, q);
+        attitudes.set(i, {rounded_parts(q[0]), rounded_parts(q[1]), rounded_parts(q[2]), rounded_parts(q[3])});
+        attitudes.off[i] = 0x1p-98; // of the smallest numbers, too, which have no other place
+    });
 }
 
-CarefulTask task_of(const ConversionBatch& batch) noexcept {
-    return {
-        batch.from, batch.from->passive != batch.to->passive, batch.fixed, nullptr, false, batch.to, batch.lock_margin,
-        batch.zeros};
+/// The second attitudes of products.
+void read_second(const Task& task, const TaskNumbers& numbers, std::size_t rows,
+                 AttitudeBatch<DoubleDouble>& attitudes) noexcept {
+    read_upright(*task.second, no_rotations, numbers.second, rows, attitudes);
+    if (numbers.later == nullptr) {
+        return;
+    }
+    AttitudeBatch<DoubleDouble> later;
+    read_upright(*task.second, no_rotations, numbers.later, rows, later);
+    for (std::size_t i = 0; i < rows; ++i) {
+        DoubleDouble p[4];
+        DoubleDouble q[4];
+        attitudes.get(i, p);
+        later.get(i, q);
+        interpolate(numbers.fractions + 6 * i, q, p);
+        attitudes.set(i, p);
+        attitudes.off[i] = 4.0 * (attitudes.off[i] + later.off[i]) + 0x1p-96; // both are at least 1/2 long
+        attitudes.error[i] = attitudes.error[i] != Error::none ? attitudes.error[i] : later.error[i];
+    }
+}
+
+void read_product(const Task& task, const TaskNumbers& numbers, std::size_t rows, const TaskAttitudes& rounded,
+                  AttitudeBatch<DoubleDouble>& product) noexcept {
+    AttitudeBatch<DoubleDouble> first;
+    AttitudeBatch<DoubleDouble> second;
+    read_upright(*task.first, *task.fixed, numbers.first, rows, first);
+    read_second(task, numbers, rows, second);
+    for (std::size_t i = 0; i < rows; ++i) {
+        DoubleDouble q[4];
+        DoubleDouble other[4];
+        first.get(i, q);
+        second.get(i, other);
+        multiply_from_side(other, false, q);
+        product.set(i, q);
+        product.defect[i] = 0.0;
+        product.off[i] = off_of_product(first.off[i], second.off[i]);
+        product.error[i] = first.error[i] != Error::none ? first.error[i] : second.error[i];
+    }
+    round(first, rows, *rounded.first);
+    round(second, rows, *rounded.second);
+}
+
+/// The attitudes that are written.
+template <class T> void read_written(const Task& task, const TaskNumbers& numbers, std::size_t rows,
+                                     const TaskAttitudes& rounded, AttitudeBatch<T>& attitudes) noexcept {
+    if constexpr (std::is_same_v<T, double>) {
+        read_plainly(*task.first, *task.fixed, numbers.first, rows, attitudes);
+    } else {
+        task.second == nullptr ? read_plainly(*task.first, *task.fixed, numbers.first, rows, attitudes)
+                               : read_product(task, numbers, rows, rounded, attitudes);
+    }
+    for (std::size_t i = 0; i < rows && task.to == nullptr; ++i) {
+        const bool fails = attitudes.error[i] == Error::none && !all_finite(numbers.second + 3 * i, 3);
+        attitudes.error[i] = fails ? Error::not_finite : attitudes.error[i];
+    }
+    invert_if(task.inverts(), attitudes, rows);
+    round(attitudes, rows, rounded.written);
+}
+
+/// A sum of three products of an entry of a matrix, off by 16 times what the attitude is and by 2^-96, and a number.
+void turn_vectors(const AttitudeBatch<DoubleDouble>& attitudes, const double* vectors, std::size_t rows, double* out,
+                  std::uint64_t* doubts) noexcept {
+    for (std::size_t i = 0; i < rows; ++i) {
+        DoubleDouble q[4];
+        DoubleDouble turned[3];
+        double vector[3];
+        attitudes.get(i, q);
+        load(vectors + 3 * i, vector);
+        rotate_vector(q, vector, turned);
+        store(turned, out + 3 * i);
+        const double size = (__builtin_fabs(vector[0]) + __builtin_fabs(vector[1])) + __builtin_fabs(vector[2]);
+        for (unsigned k = 0; k < 3; ++k) {
+            doubts[i] |= doubt_of(turned[k], (16.0 * attitudes.off[i] + 0x1p-95) * size, k);
+        }
+        doubts[i] |= all(vector, 3, [](double number) { return is_plain_number(number); }) ? 0U : other_doubt;
+    }
 }
 
 /// Leaves open what is in doubt, and not settled.
-void settle_all(const CarefulTask& task, const double* in, std::size_t rows, const DiagnosticSet* diagnostics,
-                const std::uint64_t* doubts, AttitudeBatch<double>& rounded, double* out, double* rest,
-                bool* open) noexcept {
+void settle_all(const Task& task, const double* in, std::size_t rows, const AttitudeBatch<double>& rounded,
+                const std::uint64_t* doubts, double* out, bool* open) noexcept {
     std::uint64_t all = 0;
     for (std::size_t i = 0; i < rows; ++i) {
         all |= doubts[i];
         open[i] = false;
     }
-    const std::size_t from_size = task.first->size();
-    const std::size_t to_size = task.to->size();
     for (std::size_t i = 0; i < rows && all != 0; ++i) {
-        if (doubts[i] == 0 || rounded.error[i] != Error::none) {
-            continue;
-        }
-        open[i] = !settle(task, {in + i * from_size, nullptr}, diagnostics[i], doubts[i], out + i * to_size,
-                          rest == nullptr ? nullptr : rest + i * to_size);
-        for (std::size_t k = 0; k < 4 && task.to->name == RepresentationId::quat; ++k) {
-            rounded[k].set(i, (doubts[i] >> k & 1U) != 0 ? 0.0 : rounded[k][i]);
-        }
+        open[i] = doubts[i] != 0 && rounded.error[i] == Error::none &&
+                  !settle(task, TaskNumbers{in}.of_row(task, i), {}, doubts[i], out + i * task.to->size(), nullptr);
     }
 }
 
@@ -96,36 +165,74 @@ void forget_negative_zeros(double* numbers, std::size_t count) noexcept {
     }
 }
 
-template <class T> void convert(const ConversionBatch& batch, const double* in, std::size_t rows,
-                                AttitudeBatch<double>& rounded, double* out, double* rest,
-                                DiagnosticSet* diagnostics) noexcept {
-    AttitudeBatch<T> attitudes;
-    const CarefulTask task = task_of(batch);
-    std::uint64_t doubts[batch_rows] = {};
-    bool open[batch_rows] = {};
-    convert_plainly(batch, in, rows, attitudes, out, rest, diagnostics, doubts);
-    forget_negative_zeros(rest, rows * batch.to->size());
-    round(attitudes, rows, rounded);
-    if constexpr (!std::is_same_v<T, double>) {
-        settle_all(task, in, rows, diagnostics, doubts, rounded, out, rest, open);
+/// Whether all numbers of a row are sums of its angles, or 0, with what they have beside those written.
+bool are_known(const Task& task, const TaskNumbers& row, double* numbers, double* rest) noexcept {
+    bool known = true;
+    for (unsigned k = 0; k < task.to->size() && known; ++k) {
+        double* const own = rest + k * task.rest_size;
+        for (std::size_t i = 0; i < task.rest_size; ++i) {
+            own[i] = -0.0;
+        }
+        known = numbers[k] == 0.0 ? are_zeros(task, row, std::uint64_t{1} << k, true)
+                                  : round_sum(task, row, k, numbers[k], own, task.rest_size);
     }
-    for_each_careful_row(
-        *batch.from, in, attitudes, rows,
-        [&](std::size_t i) { open[i] = batch.to->name != RepresentationId::quat || !keeps_bits(attitudes, i); },
-        !std::is_same_v<T, double>);
-    const std::size_t size = batch.to->size();
+    return known;
+}
+
+template <class T> void run(const Task& task, const TaskNumbers& numbers, std::size_t rows,
+                            const TaskAttitudes& rounded, double* out, double* rest,
+                            DiagnosticSet* diagnostics) noexcept {
+    AttitudeBatch<T> attitudes;
+    std::uint64_t doubts[batch_rows] = {};
+    const auto set_careful = [&](std::size_t i) { doubts[i] = other_doubt; };
+    const std::size_t size = task.out_size();
+    const bool has_one_rest = task.rest_size == 1 && rest != nullptr;
+    read_written(task, numbers, rows, rounded, attitudes);
+    for_each_careful_row(*task.first, numbers.first, attitudes, rows, set_careful, !std::is_same_v<T, double>);
+    if (task.second != nullptr) {
+        for_each_careful_row(*task.second, numbers.second, attitudes, rows, set_careful);
+    }
+    if (numbers.later != nullptr) {
+        for_each_careful_row(*task.second, numbers.later, attitudes, rows, set_careful);
+    }
+    if (task.to != nullptr) {
+        batch_kernel_of<T>(task.to->name)
+            .write(*task.to, task.lock_margin, attitudes, rows, out, has_one_rest ? rest : nullptr, diagnostics,
+                   doubts);
+    } else if constexpr (!std::is_same_v<T, double>) {
+        turn_vectors(attitudes, numbers.second, rows, out, doubts);
+    }
+    forget_negative_zeros(has_one_rest ? rest : nullptr, rows * size);
+    std::uint64_t all_doubts = 0;
     for (std::size_t i = 0; i < rows; ++i) {
-        if (open[i]) [[unlikely]] {
-            diagnostics[i] = answer_carefully(task, {in + i * batch.from->size(), nullptr}, out + i * size,
-                                              rest == nullptr ? nullptr : rest + i * size, i, rounded);
+        all_doubts |= doubts[i];
+    }
+    for (std::size_t i = 0; i < rows && all_doubts != 0; ++i) {
+        if (doubts[i] == 0 || attitudes.error[i] != Error::none) {
+            continue;
+        }
+        const TaskNumbers row = numbers.of_row(task, i);
+        double* const own_rest = has_one_rest ? rest + i * size : nullptr;
+        if (!settle(task, row, diagnostics[i], doubts[i], out + i * size, own_rest)) {
+            diagnostics[i] = answer_carefully(task, row, out + i * size, own_rest, i, rounded.written);
+        }
+    }
+    for (std::size_t i = 0; i < rows && task.rest_size > 1 && rest != nullptr; ++i) { // once more, in Wide
+        const TaskNumbers row = numbers.of_row(task, i);
+        double* const own = out + i * size;
+        double* const own_rest = rest + i * size * task.rest_size;
+        if (attitudes.error[i] == Error::none &&
+            !are_known(at_lock(task, diagnostics[i], own[1]), row, own, own_rest)) {
+            const Wide::Bits enough(Wide::bits_of_rest);
+            answer_once(task, row, own, own_rest, task.rest_size, i, rounded.written, diagnostics[i]);
         }
     }
     forget_negative_zeros(out, rows * size);
 }
 
 /// Converts to 106 bits, together, the rows that are open and have no error.
-void convert_open(const ConversionBatch& batch, const double* in, std::size_t rows, const bool* open,
-                  AttitudeBatch<double>& rounded, double* out, DiagnosticSet* diagnostics) noexcept {
+void run_open(const Task& task, const double* in, std::size_t rows, const bool* open, AttitudeBatch<double>& rounded,
+              double* out, DiagnosticSet* diagnostics) noexcept {
     bool are_open = false;
     for (std::size_t i = 0; i < rows; ++i) {
         are_open |= open[i];
@@ -133,8 +240,8 @@ void convert_open(const ConversionBatch& batch, const double* in, std::size_t ro
     if (!are_open) {
         return;
     }
-    const std::size_t from_size = batch.from->size();
-    const std::size_t to_size = batch.to->size();
+    const std::size_t from_size = task.first->size();
+    const std::size_t to_size = task.to->size();
     std::size_t count = 0;
     std::size_t places[batch_rows];
     double numbers[most_numbers * batch_rows];
@@ -149,7 +256,7 @@ void convert_open(const ConversionBatch& batch, const double* in, std::size_t ro
     double results[most_numbers * batch_rows];
     AttitudeBatch<double> attitudes;
     DiagnosticSet found[batch_rows];
-    convert<DoubleDouble>(batch, numbers, count, attitudes, results, nullptr, found);
+    run<DoubleDouble>(task, {numbers}, count, {attitudes}, results, nullptr, found);
     for (std::size_t n = 0; n < count; ++n) {
         const std::size_t i = places[n];
         for (std::size_t k = 0; k < to_size; ++k) {
@@ -162,21 +269,19 @@ void convert_open(const ConversionBatch& batch, const double* in, std::size_t ro
     }
 }
 
-bool convert_first(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
-                   double* out, bool* open) noexcept {
-    const Spec& from = *batch.from;
-    const Spec& to = *batch.to;
-    const CarefulTask task = task_of(batch);
+bool run_first(const Task& task, const double* in, std::size_t rows, AttitudeBatch<double>& rounded, double* out,
+               bool* open) noexcept {
+    const Spec& from = *task.first;
+    const Spec& to = *task.to;
     std::uint64_t doubts[batch_rows] = {};
-    const DiagnosticSet unlocked[batch_rows] = {}; // others are left open
     const auto set_open = [open](std::size_t i) { open[i] = true; };
-    const auto read_first = kernel_of(from.name).read_first;
-    if (to.name == RepresentationId::quat && read_first != nullptr && !batch.fixed->has_left &&
-        !batch.fixed->has_right) {
-        if (!read_first(from, in, rows, rounded, doubts)) {
+    const Kernel& reader = kernel_of(from.name);
+    const Kernel& writer = kernel_of(to.name);
+    if (writer.is_quaternion && reader.read_first != nullptr && !has_rotations(*task.fixed)) {
+        if (!reader.read_first(from, in, rows, rounded, doubts)) {
             return false;
         }
-        invert_if(task.inverts_first, rounded, rows);
+        invert_if(from.passive != to.passive, rounded, rows);
         for (std::size_t i = 0; i < rows; ++i) {
             double q[4];
             rounded.get(i, q);
@@ -185,88 +290,35 @@ bool convert_first(const ConversionBatch& batch, const double* in, std::size_t r
                 out[4 * i + k] = sign * q[k] + 0.0;
             }
         }
-        settle_all(task, in, rows, unlocked, doubts, rounded, out, nullptr, open);
-        if (!kernel_of(from.name).first_takes_any_size) {
+        settle_all(task, in, rows, rounded, doubts, out, open);
+        if (!reader.first_takes_any_size) {
             for_each_careful_row(from, in, rounded, rows, set_open);
         }
         return true;
     }
-    const auto write_first = kernel_of(to.name).write_first;
-    if (write_first == nullptr) {
+    if (writer.write_first == nullptr) {
         return false;
     }
     AttitudeBatch<DoubleDouble> attitudes;
-    read_plainly(from, task.inverts_first, *batch.fixed, in, rows, attitudes);
-    write_first(to, batch.lock_margin, attitudes, rows, out, doubts);
-    round(attitudes, rows, rounded);
-    settle_all(task, in, rows, unlocked, doubts, rounded, out, nullptr, open);
-    if (!kernel_of(to.name).first_takes_any_size || !kernel_of(from.name).reading_is_exact) {
+    read_written(task, {in}, rows, {rounded}, attitudes);
+    writer.write_first(to, task.lock_margin, attitudes, rows, out, doubts);
+    settle_all(task, in, rows, rounded, doubts, out, open);
+    if (!writer.first_takes_any_size || !reader.is_quaternion) {
         for_each_careful_row(from, in, attitudes, rows, set_open);
     }
     return true;
 }
 
-/// Whether all numbers of a row are sums of its angles, or 0, with what they have beside those written.
-bool are_known(const CarefulTask& task, const CarefulRow& row, double* numbers, double* rest,
-               std::size_t rest_size) noexcept {
-    bool known = true;
-    for (unsigned k = 0; k < task.to->size() && known; ++k) {
-        double* const own = rest + k * rest_size;
-        for (std::size_t i = 0; i < rest_size; ++i) {
-            own[i] = -0.0;
-        }
-        known = numbers[k] == 0.0 ? are_zeros(task, row, std::uint64_t{1} << k, true)
-                                  : round_sum(task, row, k, numbers[k], own, rest_size);
-    }
-    return known;
-}
-
-/// A row that has been answered to 106 bits once more, with a rest of several doubles: in Wide, unless it is known.
-void answer_with_rest(const CarefulTask& task, const CarefulRow& row, double* numbers, double* rest,
-                      std::size_t rest_size, std::size_t place, AttitudeBatch<double>& rounded,
-                      DiagnosticSet& diagnostics) noexcept {
-    if (rounded.error[place] == Error::none &&
-        !are_known(at_lock(task, diagnostics, numbers[1]), row, numbers, rest, rest_size)) {
-        const Wide::Bits enough(Wide::bits_of_rest);
-        answer_once(task, row, numbers, rest, rest_size, place, rounded, diagnostics);
-    }
-}
-
-void convert_with_rest(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
-                       double* out, double* rest, DiagnosticSet* diagnostics) noexcept {
-    const CarefulTask task = task_of(batch);
-    const std::size_t size = batch.to->size();
-    convert<DoubleDouble>(batch, in, rows, rounded, out, nullptr, diagnostics);
-    for (std::size_t i = 0; i < rows; ++i) {
-        answer_with_rest(task, {in + i * batch.from->size(), nullptr}, out + i * size,
-                         rest + i * size * batch.rest_size, batch.rest_size, i, rounded, diagnostics[i]);
-    }
-    forget_negative_zeros(out, rows * size);
-}
-
 /// The rows that the first phase leaves open, together.
-void convert_in_phases(const ConversionBatch& batch, const double* in, std::size_t rows, AttitudeBatch<double>& rounded,
-                       double* out, double* rest, DiagnosticSet* diagnostics) noexcept {
+void run_in_phases(const Task& task, const TaskNumbers& numbers, std::size_t rows, const TaskAttitudes& rounded,
+                   double* out, double* rest, DiagnosticSet* diagnostics) noexcept {
     bool open[batch_rows];
-    if (batch.rest_size > 1 && rest != nullptr) {
-        convert_with_rest(batch, in, rows, rounded, out, rest, diagnostics);
-    } else if (rest != nullptr || !convert_first(batch, in, rows, rounded, out, open)) {
-        convert<DoubleDouble>(batch, in, rows, rounded, out, rest, diagnostics);
+    if (rest != nullptr || numbers.second != nullptr ||
+        !run_first(task, numbers.first, rows, rounded.written, out, open)) {
+        run<DoubleDouble>(task, numbers, rows, rounded, out, rest, diagnostics);
     } else {
-        convert_open(batch, in, rows, open, rounded, out, diagnostics);
+        run_open(task, numbers.first, rows, open, rounded.written, out, diagnostics);
     }
-}
-
-/// The attitudes that rows describe, between the fixed rotations, to 106 bits.
-void read_upright(const Spec& spec, const FixedRotations& fixed, const double* numbers, std::size_t rows,
-                  AttitudeBatch<DoubleDouble>& attitudes) noexcept {
-    read_plainly(spec, spec.passive, fixed, numbers, rows, attitudes);
-    for_each_careful_row(spec, numbers, attitudes, rows, [&](std::size_t i) {
-        Careful q[4];
-        read_carefully(spec, numbers + i * spec.size(), spec.passive, fixed, q);
-        attitudes.set(i, {rounded_parts(q[0]), rounded_parts(q[1]), rounded_parts(q[2]), rounded_parts(q[3])});
-        attitudes.off[i] = 0x1p-98; // of the smallest numbers, too, which have no other place
-    });
 }
 
 void read(const Spec& spec, const FixedRotations& fixed, const double* numbers, std::size_t rows,
@@ -322,117 +374,13 @@ void relate_rounded(const AttitudeBatch<double>& attitudes, const AttitudeBatch<
     }
 }
 
-/// The second attitudes of products.
-void read_second(const ProductBatch& batch, const double* second, std::size_t rows,
-                 AttitudeBatch<DoubleDouble>& attitudes) noexcept {
-    read_upright(*batch.second, no_rotations, second, rows, attitudes);
-    if (batch.later == nullptr) {
-        return;
-    }
-    AttitudeBatch<DoubleDouble> later;
-    read_upright(*batch.second, no_rotations, batch.later, rows, later);
-    for (std::size_t i = 0; i < rows; ++i) {
-        DoubleDouble p[4];
-        DoubleDouble q[4];
-        attitudes.get(i, p);
-        later.get(i, q);
-        interpolate(batch.fractions + i * batch.row_size, q, p);
-        attitudes.set(i, p);
-        attitudes.off[i] = 4.0 * (attitudes.off[i] + later.off[i]) + 0x1p-96; // both are at least 1/2 long
-        attitudes.error[i] = attitudes.error[i] != Error::none ? attitudes.error[i] : later.error[i];
-    }
-}
-
-void multiply(const ProductBatch& batch, const double* first, const double* second, std::size_t rows,
-              AttitudeBatch<double>* const (&rounded)[3], double* out, double* rest,
-              DiagnosticSet* diagnostics) noexcept {
-    const Spec& to = *batch.to;
-    const CarefulTask task{batch.first, batch.first->passive, batch.fixed, batch.second, to.passive,
-                           &to,         batch.lock_margin,    batch.zeros};
-    AttitudeBatch<DoubleDouble> attitudes[3];
-    auto& [left, right, product] = attitudes;
-    read_upright(*batch.first, *batch.fixed, first, rows, left);
-    read_second(batch, second, rows, right);
-    for (std::size_t i = 0; i < rows; ++i) {
-        DoubleDouble q[4];
-        DoubleDouble other[4];
-        left.get(i, q);
-        right.get(i, other);
-        multiply_from_side(other, false, q);
-        product.set(i, q);
-        product.defect[i] = 0.0;
-        product.off[i] = off_of_product(left.off[i], right.off[i]);
-        product.error[i] = left.error[i] != Error::none ? left.error[i] : right.error[i];
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-        round(attitudes[k], rows, *rounded[k]);
-    }
-    invert_if(to.passive, product, rows);
-    std::uint64_t doubts[batch_rows] = {};
-    kernel_of(to.name).exact.write(to, batch.lock_margin, product, rows, out, batch.rest_size > 1 ? nullptr : rest,
-                                   diagnostics, doubts);
-    forget_negative_zeros(rest, batch.rest_size > 1 ? 0 : rows * to.size());
-    const auto set_open = [&](std::size_t i) { doubts[i] = other_doubt; };
-    for_each_careful_row(*batch.first, first, product, rows, set_open);
-    for_each_careful_row(*batch.second, second, product, rows, set_open);
-    if (batch.later != nullptr) {
-        for_each_careful_row(*batch.second, batch.later, product, rows, set_open);
-    }
-    for (std::size_t i = 0; i < rows; ++i) {
-        const std::size_t place = i * batch.second->size();
-        const CarefulRow row{first + i * batch.first->size(), second + place,
-                             batch.later == nullptr ? nullptr : batch.later + place,
-                             batch.fractions + i * batch.row_size};
-        double* const own_rest = rest == nullptr ? nullptr : rest + i * to.size() * batch.rest_size;
-        if (batch.rest_size > 1 && own_rest != nullptr) {
-            answer_with_rest(task, row, out + i * to.size(), own_rest, batch.rest_size, i, *rounded[2], diagnostics[i]);
-        } else if (doubts[i] != 0 && product.error[i] == Error::none &&
-                   !settle(task, row, diagnostics[i], doubts[i], out + i * to.size(), own_rest)) {
-            diagnostics[i] = answer_carefully(task, row, out + i * to.size(), own_rest, i, *rounded[2]);
-        }
-    }
-}
-
-/// A sum of three products of an entry of a matrix, off by 16 times what the attitude is and by 2^-96, and a number.
-void rotate(const Spec& spec, ZeroTable* zeros, const double* numbers, const double* vectors, std::size_t rows,
-            AttitudeBatch<double>& rounded, double* out) noexcept {
-    const CarefulTask task{&spec, spec.passive, &no_rotations, nullptr, false, nullptr, 0.0, zeros};
-    AttitudeBatch<DoubleDouble> attitudes;
-    read_upright(spec, no_rotations, numbers, rows, attitudes);
-    round(attitudes, rows, rounded);
-    std::uint64_t doubts[batch_rows] = {};
-    for (std::size_t i = 0; i < rows; ++i) {
-        DoubleDouble q[4];
-        DoubleDouble rotated[3];
-        double vector[3];
-        attitudes.get(i, q);
-        load(vectors + 3 * i, vector);
-        rotate_vector(q, vector, rotated);
-        store(rotated, out + 3 * i);
-        const double size = (__builtin_fabs(vector[0]) + __builtin_fabs(vector[1])) + __builtin_fabs(vector[2]);
-        for (unsigned k = 0; k < 3; ++k) {
-            doubts[i] |= doubt_of(rotated[k], (16.0 * attitudes.off[i] + 0x1p-95) * size, k);
-        }
-    }
-    for_each_careful_row(spec, numbers, attitudes, rows, [&](std::size_t i) { doubts[i] = other_doubt; });
-    for (std::size_t i = 0; i < rows; ++i) {
-        const CarefulRow row{numbers + i * spec.size(), vectors + 3 * i};
-        if (!all(row.second, 3, [](double number) { return is_plain_number(number); })) {
-            doubts[i] = other_doubt;
-        }
-        if (doubts[i] != 0 && attitudes.error[i] == Error::none && all_finite(row.second, 3) &&
-            !settle(task, row, {}, doubts[i], out + 3 * i, nullptr)) {
-            answer_carefully(task, row, out + 3 * i, nullptr, i, rounded);
-        }
-    }
-}
-
 ROTCONV_NOINLINE Error read_one_carefully(const Spec& spec, const double* numbers, double (&q)[4],
                                           double& defect) noexcept {
     const Error error = kernel_of(spec.name).one.read(spec, numbers, q, defect);
     if (error == Error::none) {
         Careful careful[4];
-        read_carefully(spec, numbers, false, no_rotations, careful);
+        kernel_of(spec.name).careful.read(spec, numbers, careful);
+        scale_to_unit(careful);
         load(careful, q);
     }
     return error;
@@ -441,7 +389,7 @@ ROTCONV_NOINLINE Error read_one_carefully(const Spec& spec, const double* number
 Error read_one(const Spec& spec, const double* numbers, double (&q)[4], double& defect) noexcept {
     const Kernel& kernel = kernel_of(spec.name);
     const auto is_plain = [](const double& number) { return is_plain_number(alone(number)); };
-    if (!(kernel.reading_is_exact || all(numbers, kernel.size, is_plain))) [[unlikely]] {
+    if (!(kernel.is_quaternion || all(numbers, kernel.size, is_plain))) [[unlikely]] {
         return read_one_carefully(spec, numbers, q, defect);
     }
     return kernel.one.read(spec, numbers, q, defect);
@@ -474,13 +422,11 @@ DiagnosticSet write_one(const Spec& spec, double lock_margin, const double (&q)[
 
 extern const KernelTable ROTCONV_KERNELS_OF(ROTCONV_TARGET);
 constinit const KernelTable ROTCONV_KERNELS_OF(ROTCONV_TARGET){.target = ROTCONV_DETAIL_TEXT(ROTCONV_TARGET),
-                                                               .convert = convert_in_phases,
-                                                               .convert_first = convert_first,
-                                                               .convert_fast = convert<double>,
+                                                               .run = run_in_phases,
+                                                               .run_first = run_first,
+                                                               .run_fast = run<double>,
                                                                .read = read,
                                                                .relate = relate_rounded,
-                                                               .multiply = multiply,
-                                                               .rotate = rotate,
                                                                .read_exactly = read_exactly,
                                                                .read_one = read_one,
                                                                .write_one = write_one};

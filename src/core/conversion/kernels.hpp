@@ -26,17 +26,16 @@ struct ExactQuaternion {
 /// much and 2^-99 of themselves: each of its components is a sum of four products, 4 (a + b + a b) and 2^-96 of them.
 [[nodiscard]] constexpr double off_of_product(double a, double b) noexcept { return 4.0 * (a + b + a * b) + 0x1p-95; }
 
-/// Constant rotations by which attitudes are multiplied, from the left and from the right, where there are such, and
-/// the rows of numbers from which they are read again.
+/// A constant rotation by which attitudes are multiplied, and the rows of numbers from which it is read again, whose
+/// product it is; without any there is none.
+struct FixedSide {
+    ExactQuaternion rotation;
+    const FixedFactor* factors;
+    std::size_t count;
+};
+/// The one on the left of an attitude and the one on the right.
 struct FixedRotations {
-    bool has_left;
-    bool has_right;
-    ExactQuaternion left;
-    ExactQuaternion right;
-    const FixedFactor* left_factors;
-    std::size_t left_count;
-    const FixedFactor* right_factors;
-    std::size_t right_count;
+    FixedSide left, right;
 };
 inline constexpr FixedRotations no_rotations{};
 
@@ -47,64 +46,70 @@ struct ZeroTable {
     std::uint64_t sums[size]{};
 };
 
-/// What the conversion of a batch needs beside its rows.
-struct ConversionBatch {
-    const Spec* from = nullptr;
-    const Spec* to = nullptr;
+/// What becomes of rows: the attitude of the first numbers, between the fixed rotations, then times that of the second
+/// ones, is written as another representation, or turns a vector.
+struct Task {
+    const Spec* first = nullptr;
+    const Spec* to = nullptr; ///< or null: the second numbers are a vector, which is turned
     double lock_margin = 0.0;
-    const FixedRotations* fixed = nullptr; ///< of the attitudes as they are written
-    ZeroTable* zeros = nullptr;            ///< may be null
-    std::size_t rest_size =
-        1; ///< how many doubles of `rest` a number has; more than one for rows that are answered once more
+    const FixedRotations* fixed = &no_rotations;
+    ZeroTable* zeros = nullptr; ///< may be null
+    std::size_t rest_size = 1;  ///< how many doubles of `rest` a number has; more than one for rows that come once more
+    const Spec* second = nullptr; ///< of the second attitude, or null
+
+    /// What is written is the inverse.
+    [[nodiscard]] ROTCONV_INLINE bool inverts() const noexcept { return to != nullptr && to->passive; }
+    [[nodiscard]] ROTCONV_INLINE std::size_t second_size() const noexcept {
+        return second != nullptr ? second->size() : 3;
+    }
+    [[nodiscard]] ROTCONV_INLINE std::size_t out_size() const noexcept { return to != nullptr ? to->size() : 3; }
 };
 
-/// What a batch of products of two attitudes needs beside its rows.
-struct ProductBatch {
-    const Spec* first = nullptr;
-    const FixedRotations* fixed = nullptr; ///< of the first attitudes
-    const Spec* second = nullptr;
-    const Spec* to = nullptr;
-    double lock_margin = 0.0;
-    ZeroTable* zeros = nullptr;
-    std::size_t rest_size = 1; ///< see ConversionBatch
-    // The second attitudes are between those of rows and of these, see interpolate() of careful_rows.hpp; or null.
-    const double* later = nullptr;
-    const double* fractions = nullptr; ///< six numbers, one such group every `row_size` numbers
-    std::size_t row_size = 0;
+/// The numbers of a row, or of the first of a batch.
+struct TaskNumbers {
+    const double* first;
+    const double* second = nullptr;    ///< null where there is neither a second attitude nor a vector
+    const double* later = nullptr;     ///< the second attitude is between two, and this is the other; or null
+    const double* fractions = nullptr; ///< six numbers: where it is between them, see interpolate() of careful_rows.hpp
+
+    [[nodiscard]] ROTCONV_INLINE TaskNumbers of_row(const Task& task, std::size_t row) const noexcept {
+        const auto at = [row](const double* numbers, std::size_t size) {
+            return numbers == nullptr ? nullptr : numbers + row * size;
+        };
+        return {at(first, task.first->size()), at(second, task.second_size()), at(later, task.second_size()),
+                at(fractions, 6)};
+    }
+};
+
+/// The attitudes of the rows of a task, rounded, with their defects and errors.
+struct TaskAttitudes {
+    AttitudeBatch<double>& written;         ///< of a vector's rotation that which turns it
+    AttitudeBatch<double>* first = nullptr; ///< of a product, of which `written` has the first error and no defect
+    AttitudeBatch<double>* second = nullptr;
 };
 
 /// The functions that are compiled for one kind of processor. Batches have at most `batch_rows` rows. Numbers are in
 /// the representation's own order. Diagnostics are what there is to report of each row; the sets are empty at first.
 struct KernelTable {
     const char* target; ///< that kind of processor, for people
-    /// From one representation to the other, each number rounded once, none -0. `attitudes` become those that are
-    /// written, rounded, with the defects and errors of the rows. `rest`, which may be null: what the exact numbers
-    /// have beside those written, as sums of `rest_size` doubles each; -0.0 alone where it is known that there is
-    /// nothing.
-    using Convert = void(const ConversionBatch& batch, const double* in, std::size_t rows,
-                         AttitudeBatch<double>& attitudes, double* out, double* rest,
-                         DiagnosticSet* diagnostics) noexcept;
-    Convert* convert;
-    /// The first phase of convert(), false where the two representations have none: where it proves how the exact
-    /// numbers round, at the price of plain double. The other rows are left open, and mean nothing yet.
-    bool (*convert_first)(const ConversionBatch& batch, const double* in, std::size_t rows,
-                          AttitudeBatch<double>& attitudes, double* out, bool* open) noexcept;
-    Convert* convert_fast; ///< in plain double
+    /// Numbers of a task, each rounded once, none -0; infinite where one is too large. `rest`, which may be null: what
+    /// the exact numbers have beside those written, as sums of Task::rest_size doubles each; -0.0 alone where it is
+    /// known that there is nothing.
+    using Run = void(const Task& task, const TaskNumbers& numbers, std::size_t rows, const TaskAttitudes& attitudes,
+                     double* out, double* rest, DiagnosticSet* diagnostics) noexcept;
+    Run* run;
+    /// The first phase of run() where one attitude is converted, false where the two representations have none: where
+    /// it proves how the exact numbers round, at the price of plain double. The other rows are left open, and mean
+    /// nothing yet.
+    bool (*run_first)(const Task& task, const double* in, std::size_t rows, AttitudeBatch<double>& attitudes,
+                      double* out, bool* open) noexcept;
+    Run* run_fast; ///< in plain double; of one attitude
     /// The attitudes that rows describe, between the fixed rotations, then rounded once.
     void (*read)(const Spec& spec, const FixedRotations& fixed, const double* numbers, std::size_t rows,
                  AttitudeBatch<double>& attitudes) noexcept;
     /// See relate(); angles below 2^-100 need not be right.
     void (*relate)(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,
                    AttitudeBatch<double>& relative, double* angles) noexcept;
-    /// The products of the first and the second attitudes of rows, each number rounded once; `rest` as in convert().
-    /// `attitudes` become the two attitudes and their product, rounded, with the defects and errors of the two.
-    void (*multiply)(const ProductBatch& batch, const double* first, const double* second, std::size_t rows,
-                     AttitudeBatch<double>* const (&attitudes)[3], double* out, double* rest,
-                     DiagnosticSet* diagnostics) noexcept;
-    /// R v of each row's attitude R and vector v, each number rounded once; infinite where it is too large. `attitudes`
-    /// become R, rounded.
-    void (*rotate)(const Spec& spec, ZeroTable* zeros, const double* numbers, const double* vectors, std::size_t rows,
-                   AttitudeBatch<double>& attitudes, double* out) noexcept;
     /// One row to the last bit.
     void (*read_exactly)(const Spec& spec, const double* numbers, ExactQuaternion& attitude) noexcept;
     /// One row in plain double, q as w, x, y, z.

@@ -108,9 +108,8 @@ private:
 
 /// The pattern of a row: the codes of its numbers, in 40 bits at most, with a second attitude between two in 59.
 /// `all_known`: there is no other number in it.
-inline std::uint64_t zero_pattern(const CarefulTask& task, const CarefulRow& row, double step,
-                                  bool& all_known) noexcept {
-    all_known = !task.fixed->has_left && !task.fixed->has_right;
+inline std::uint64_t zero_pattern(const Task& task, const TaskNumbers& row, double step, bool& all_known) noexcept {
+    all_known = task.fixed->left.count + task.fixed->right.count == 0;
     std::uint64_t pattern = task.lock_margin == LockLimit::at_lower   ? 1
                             : task.lock_margin == LockLimit::at_upper ? 2
                                                                       : 0;
@@ -134,8 +133,8 @@ inline std::uint64_t zero_pattern(const CarefulTask& task, const CarefulRow& row
 
 /// The task for other rows that are like a row: all locked, at the end where it is, for there angles are other
 /// functions of a row; or, if it is not locked, none.
-inline CarefulTask at_lock(const CarefulTask& task, DiagnosticSet diagnostics, double middle) noexcept {
-    CarefulTask like = task;
+inline Task at_lock(const Task& task, DiagnosticSet diagnostics, double middle) noexcept {
+    Task like = task;
     like.lock_margin = 0.0;
     if (diagnostics.has(DiagnosticKind::gimbal_lock)) {
         const AngleRanges ranges(FixedAxes(task.to->sequence), *task.to);
@@ -160,32 +159,31 @@ inline void take_stand_ins(const PartOfPattern& part, std::size_t first, double*
 
 constexpr int least = -400; // in size less than 2^least is 0
 
-/// Whether numbers of fixed rotations are so small that what comes of them may be.
-inline bool has_tiny(const FixedFactor* factors, std::size_t count) noexcept {
+/// Whether numbers of a fixed rotation are so small that what comes of them may be.
+inline bool has_tiny(const FixedSide& side) noexcept {
     bool found = false;
-    for (std::size_t n = 0; n < count; ++n) {
-        for (const double number : factors[n].numbers) {
+    for (std::size_t n = 0; n < side.count; ++n) {
+        for (const double number : side.factors[n].numbers) {
             found = found || (number != 0.0 && __builtin_fabs(number) < 0x1p-60);
         }
-        for (const double number : factors[n].rest) {
+        for (const double number : side.factors[n].rest) {
             found = found || number != 0.0;
         }
     }
     return found;
 }
 
-inline bool has_half_turns(const CarefulTask& task) noexcept {
+inline bool has_half_turns(const Task& task) noexcept {
     return task.to != nullptr && (task.to->name == RepresentationId::euler || task.to->name == RepresentationId::rpy);
 }
 
 /// Bit k: the number k is 0, or an angle of half a turn, in all rows of the row's pattern; bit 16 + k: the component k
 /// of the attitude is.
-inline std::uint32_t zeros_of_stand_ins(const CarefulTask& task, const CarefulRow& other,
+inline std::uint32_t zeros_of_stand_ins(const Task& task, const TaskNumbers& other,
                                         Careful (&results)[most_numbers]) noexcept {
     Careful q[4];
     std::uint32_t zeros = 0;
-    if (has_tiny(task.fixed->left_factors, task.fixed->left_count) ||
-        has_tiny(task.fixed->right_factors, task.fixed->right_count)) {
+    if (has_tiny(task.fixed->left) || has_tiny(task.fixed->right)) {
         for (Careful& result : results) {
             result = __builtin_nan("");
         }
@@ -199,8 +197,7 @@ inline std::uint32_t zeros_of_stand_ins(const CarefulTask& task, const CarefulRo
         }
     }
     write_carefully(task, other, q, results);
-    const std::size_t size = task.to == nullptr ? 3 : task.to->size();
-    for (unsigned k = 0; k < size; ++k) {
+    for (unsigned k = 0; k < task.out_size(); ++k) {
         const auto beyond = [&](double sign) {
             return results[k] + scaled(Wide::half_turn(task.to->unit == AngleUnit::degrees), sign);
         };
@@ -214,7 +211,7 @@ inline std::uint32_t zeros_of_stand_ins(const CarefulTask& task, const CarefulRo
 
 /// Calls use(other row) of stand-ins, and with bits enough.
 template <class Use>
-auto with_stand_ins(const CarefulTask& task, const CarefulRow& row, double step, const Use& use) noexcept {
+auto with_stand_ins(const Task& task, const TaskNumbers& row, double step, const Use& use) noexcept {
     const Wide::Bits enough(640);
     double first[most_numbers];
     double second[most_numbers];
@@ -229,33 +226,40 @@ auto with_stand_ins(const CarefulTask& task, const CarefulRow& row, double step,
     }
     return use({first, row.second == nullptr ? nullptr : second, row.later == nullptr ? nullptr : later, fractions});
 }
-ROTCONV_NOINLINE inline std::uint32_t find_zeros(const CarefulTask& task, const CarefulRow& row, double step) noexcept {
-    return with_stand_ins(task, row, step, [&](const CarefulRow& other) {
+/// What is found for a pattern, in less than `bits` bits: from the table, or put there.
+template <unsigned bits, class Find>
+std::uint32_t remembered(std::uint64_t (&table)[ZeroTable::size], std::uint64_t pattern, const Find& find) noexcept {
+    std::uint64_t* const entry = table + ((pattern * 0x9e3779b97f4a7c15U) >> 32U) % ZeroTable::size;
+    std::uint64_t known = __atomic_load_n(entry, __ATOMIC_RELAXED);
+    if ((known & 1U) == 0 || known >> bits != pattern) {
+        known = pattern << bits | std::uint64_t{find()} << 1U | 1U;
+        __atomic_store_n(entry, known, __ATOMIC_RELAXED);
+    }
+    return static_cast<std::uint32_t>(known & ((std::uint64_t{1} << bits) - 1)) >> 1U;
+}
+
+ROTCONV_NOINLINE inline std::uint32_t find_zeros(const Task& task, const TaskNumbers& row, double step) noexcept {
+    return with_stand_ins(task, row, step, [&](const TaskNumbers& other) {
         Careful results[most_numbers];
         return zeros_of_stand_ins(task, other, results);
     });
 }
 
 /// The same, from the table.
-inline std::uint32_t known_zeros(const CarefulTask& task, const CarefulRow& row, std::uint64_t pattern,
+inline std::uint32_t known_zeros(const Task& task, const TaskNumbers& row, std::uint64_t pattern,
                                  double step) noexcept {
-    if (task.zeros == nullptr) {
-        return find_zeros(task, row, step);
-    }
-    std::uint64_t* const entry = task.zeros->entries + ((pattern * 0x9e3779b97f4a7c15U) >> 32U) % ZeroTable::size;
-    const std::uint64_t found = __atomic_load_n(entry, __ATOMIC_RELAXED);
-    if ((found & 1U) != 0 && found >> 20U == pattern) {
-        return static_cast<std::uint32_t>((found >> 1U & 0x1ffU) | (found >> 10U & 0xfU) << 16U);
-    }
-    const std::uint64_t zeros = find_zeros(task, row, step);
-    __atomic_store_n(entry, pattern << 20U | (zeros >> 16U) << 10U | (zeros & 0x1ffU) << 1U | 1U, __ATOMIC_RELAXED);
-    return static_cast<std::uint32_t>(zeros);
+    const auto find = [&] {
+        const std::uint32_t zeros = find_zeros(task, row, step);
+        return (zeros & 0x1ffU) | (zeros >> 16U) << 9U;
+    };
+    const std::uint32_t bits = task.zeros == nullptr ? find() : remembered<20>(task.zeros->entries, pattern, find);
+    return (bits & 0x1ffU) | bits >> 9U << 16U;
 }
 
 /// Whether what these bits stand for is 0: in all rows of the wider pattern, in which there are fewer of them to know,
 /// or in those of the narrower one. Numbers of angles that are all multiples of 15 degrees are algebraic, of a degree
 /// of 8 at most: what is below 2^-66, as `are_small` says, is 0.
-inline bool are_zeros(const CarefulTask& task, const CarefulRow& row, std::uint64_t bits, bool are_small) noexcept {
+inline bool are_zeros(const Task& task, const TaskNumbers& row, std::uint64_t bits, bool are_small) noexcept {
     if (bits == 0) {
         return true;
     }
@@ -298,7 +302,7 @@ struct AngleSum {
 };
 
 /// The angles of a row, or between two of its attitudes, and of the fixed rotations; how many there are.
-inline unsigned angles_in_degrees(const CarefulTask& task, const CarefulRow& row,
+inline unsigned angles_in_degrees(const Task& task, const TaskNumbers& row,
                                   Careful (&angles)[AngleSum::most_angles]) noexcept {
     unsigned count = 0;
     const auto add = [&](const Spec* spec, const double* numbers) {
@@ -317,20 +321,17 @@ inline unsigned angles_in_degrees(const CarefulTask& task, const CarefulRow& row
         }
     }
     add(row.later == nullptr ? task.second : nullptr, row.second);
-    const FixedRotations& fixed = *task.fixed;
-    for (std::size_t k = 0; k < (fixed.has_left ? fixed.left_count : 0); ++k) {
-        add(&fixed.left_factors[k].spec, fixed.left_factors[k].numbers);
-    }
-    for (std::size_t k = 0; k < (fixed.has_right ? fixed.right_count : 0); ++k) {
-        add(&fixed.right_factors[k].spec, fixed.right_factors[k].numbers);
+    for (const FixedSide* const side : {&task.fixed->left, &task.fixed->right}) {
+        for (std::size_t k = 0; k < side->count; ++k) {
+            add(&side->factors[k].spec, side->factors[k].numbers);
+        }
     }
     return count;
 }
 
 /// The sum that the number k is, in all rows of the row's pattern, to whole half-turns and its sign.
-ROTCONV_NOINLINE inline AngleSum find_sum(const CarefulTask& task, const CarefulRow& row, unsigned k,
-                                          double step) noexcept {
-    return with_stand_ins(task, row, step, [&](const CarefulRow& other) {
+ROTCONV_NOINLINE inline AngleSum find_sum(const Task& task, const TaskNumbers& row, unsigned k, double step) noexcept {
+    return with_stand_ins(task, row, step, [&](const TaskNumbers& other) {
         Careful results[most_numbers];
         Careful angles[AngleSum::most_angles];
         zeros_of_stand_ins(task, other, results);
@@ -352,7 +353,7 @@ ROTCONV_NOINLINE inline AngleSum find_sum(const CarefulTask& task, const Careful
 
 /// Replaces the angle k, which is near the number, by the sum that it is, rounded once; false where it is none, or
 /// may be two.
-inline bool round_sum(const CarefulTask& task, const CarefulRow& row, unsigned k, double& number, double* rest,
+inline bool round_sum(const Task& task, const TaskNumbers& row, unsigned k, double& number, double* rest,
                       std::size_t rest_size) noexcept {
     if (task.zeros == nullptr || task.to == nullptr || task.to->unit != AngleUnit::degrees ||
         __builtin_fabs(number) < 1e-6) {
@@ -369,13 +370,7 @@ inline bool round_sum(const CarefulTask& task, const CarefulRow& row, unsigned k
     if (pattern >> 49U != 0) { // the table has no room for it
         return false;
     }
-    std::uint64_t* const entry = task.zeros->sums + ((pattern * 0x9e3779b97f4a7c15U) >> 32U) % ZeroTable::size;
-    std::uint64_t found = __atomic_load_n(entry, __ATOMIC_RELAXED);
-    if ((found & 1U) == 0 || found >> 15U != pattern) {
-        found = pattern << 15U | static_cast<std::uint64_t>(find_sum(task, row, k, step).code) << 1U | 1U;
-        __atomic_store_n(entry, found, __ATOMIC_RELAXED);
-    }
-    const AngleSum sum{static_cast<unsigned>(found >> 1U & 0x3fffU)};
+    const AngleSum sum{remembered<15>(task.zeros->sums, pattern, [&] { return find_sum(task, row, k, step).code; })};
     if (sum.code == 0) {
         return false;
     }
@@ -409,10 +404,9 @@ inline bool round_sum(const CarefulTask& task, const CarefulRow& row, unsigned k
 
 /// A row with the bits that there are, to numbers, to what they leave, which may be null, in `rest_size` doubles for
 /// each, and to the attitude; whether the numbers are decided.
-inline bool answer_once(const CarefulTask& task, const CarefulRow& row, double* numbers, double* rest,
-                        std::size_t rest_size, std::size_t place, AttitudeBatch<double>& attitudes,
-                        DiagnosticSet& diagnostics) noexcept {
-    const auto is_zero = [&](const CarefulTask& which, unsigned bit) {
+inline bool answer_once(const Task& task, const TaskNumbers& row, double* numbers, double* rest, std::size_t rest_size,
+                        std::size_t place, AttitudeBatch<double>& attitudes, DiagnosticSet& diagnostics) noexcept {
+    const auto is_zero = [&](const Task& which, unsigned bit) {
         return are_zeros(which, row, std::uint64_t{1} << bit, false);
     };
     Careful q[4];
@@ -425,10 +419,9 @@ inline bool answer_once(const CarefulTask& task, const CarefulRow& row, double* 
     }
     set_rounded(q, place, attitudes);
     diagnostics = write_carefully(task, row, q, results);
-    const CarefulTask own = at_lock(task, diagnostics, results[1].rounded());
+    const Task own = at_lock(task, diagnostics, results[1].rounded());
     bool decided = true;
-    const std::size_t size = task.to == nullptr ? 3 : task.to->size();
-    for (unsigned k = 0; k < size; ++k) {
+    for (unsigned k = 0; k < task.out_size(); ++k) {
         if (results[k].may_be_zero() && is_zero(own, k)) {
             results[k] = 0.0;
         }
@@ -449,7 +442,7 @@ inline bool answer_once(const CarefulTask& task, const CarefulRow& row, double* 
 }
 
 /// The same with as many bits as it takes.
-ROTCONV_NOINLINE inline DiagnosticSet answer_carefully(const CarefulTask& task, const CarefulRow& row, double* numbers,
+ROTCONV_NOINLINE inline DiagnosticSet answer_carefully(const Task& task, const TaskNumbers& row, double* numbers,
                                                        double* rest, std::size_t place,
                                                        AttitudeBatch<double>& attitudes) noexcept {
     DiagnosticSet diagnostics;
@@ -459,9 +452,9 @@ ROTCONV_NOINLINE inline DiagnosticSet answer_carefully(const CarefulTask& task, 
 
 /// Whether a row of the batch kernels is decided: of its numbers only those are in doubt, see doubt_of(), that are
 /// exactly 0, or a sum, which they become.
-inline bool settle(const CarefulTask& general, const CarefulRow& row, DiagnosticSet diagnostics, std::uint64_t doubts,
+inline bool settle(const Task& general, const TaskNumbers& row, DiagnosticSet diagnostics, std::uint64_t doubts,
                    double* numbers, double* rest) noexcept {
-    const CarefulTask task = at_lock(general, diagnostics, numbers[1]);
+    const Task task = at_lock(general, diagnostics, numbers[1]);
     constexpr std::uint64_t about_zeros = other_doubt - 1;
     if ((doubts & other_doubt) != 0 || !are_zeros(task, row, doubts & about_zeros, true)) {
         return false;
@@ -481,7 +474,7 @@ inline bool settle(const CarefulTask& general, const CarefulRow& row, Diagnostic
             }
         }
     }
-    if (task.to != nullptr && task.to->name == RepresentationId::quat) {
+    if (task.to != nullptr && kernel_of(task.to->name).is_quaternion) {
         const double sign = canonical_sign<double>({numbers[0], numbers[1], numbers[2], numbers[3]});
         for (std::size_t k = 0; k < 4; ++k) {
             numbers[k] = sign * numbers[k] + 0.0;

@@ -240,7 +240,7 @@ struct Angles {
                 if (diagnostics[i].has(DiagnosticKind::gimbal_lock)) {
                     // twice the angle of a vector of at least |q|, whose components are off by 2 off
                     const double error = unit_size(spec) * 16.0 * off;
-                    doubts[i] = doubt_of(angles[0][i], error, 0);
+                    doubts[i] = (doubts[i] & other_doubt) | doubt_of(angles[0][i], error, 0);
                     doubts[i] |= spec.positive ? doubt_of(ranges.positive(angles[0][i]), error, 0) : 0U;
                 }
                 doubts[i] |=

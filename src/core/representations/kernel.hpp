@@ -25,7 +25,8 @@ template <class T> struct BatchKernel {
     void (*read)(const Spec& spec, const double* numbers, std::size_t rows, AttitudeBatch<T>& attitudes) noexcept;
     /// Each number is the result in T, rounded once. `rest`: what the results have beside those numbers, of
     /// representations with a choice (Codec::choose_nearest); may be null. Diagnostics are what there is to report of
-    /// each row; the sets are empty at first. Doubts, only of DoubleDouble and empty at first, are those of doubt_of().
+    /// each row; the sets are empty at first. Those of doubt_of(), only of DoubleDouble, are added to the doubts;
+    /// other_doubt is there where a row is not plain.
     void (*write)(const Spec& spec, double lock_margin, const AttitudeBatch<T>& attitudes, std::size_t rows,
                   double* numbers, double* rest, DiagnosticSet* diagnostics, std::uint64_t* doubts) noexcept;
 };
@@ -91,7 +92,7 @@ struct Kernel {
     /// squares of a normal in 5d), or of one that is stated beside another limit, stay above 2^-960 down to 2^-150. But
     /// sums that cancel keep more digits in Careful.
     double least_plain_number = 0x1p-112;
-    bool reading_is_exact = false;     ///< numbers of any size, but for a power of two
+    bool is_quaternion = false;        ///< its numbers are the attitude, of any size
     bool first_takes_any_size = false; ///< the bounds of its first phases hold for what is not plain, too
 };
 

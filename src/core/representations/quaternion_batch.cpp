@@ -89,7 +89,7 @@ struct FourNumbers : WrittenByFormula<FourNumbers, 4> {
 
 constinit const Kernel kernels::quat = []() noexcept {
     Kernel kernel = kernel_of_formula<FourNumbers>;
-    kernel.reading_is_exact = true;
+    kernel.is_quaternion = true;
     return kernel;
 }();
 
