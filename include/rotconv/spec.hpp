@@ -71,6 +71,7 @@ struct Representation {
     bool has_gimbal_lock = false;              ///< Euler angles; the outer ones have the range (-pi, pi]
     bool has_half_turns = true;                ///< otherwise their numbers are infinite
     std::size_t first_angle = 0;               ///< the first of the numbers that is an angle, if there are angles
+    bool angle_is_length = false;              ///< the length of the numbers is the one angle
 
     [[nodiscard]] bool has_angles() const noexcept { return modifiers.has(Modifier::deg); }
 };

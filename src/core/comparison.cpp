@@ -23,9 +23,8 @@ void Comparison::run(std::span<const double> in, std::span<double> out, std::vec
         InputBatch reference(reference_, numbers + from_.size(), rows, inputs());
         kernels.read(from_, fixed, input.own(), rows, input.attitudes);
         kernels.read(reference_, no_rotations, reference.own(), rows, reference.attitudes);
-        AttitudeBatch<double> relative;
         std::array<double, batch_rows> angles;
-        relate(input.attitudes, reference.attitudes, rows, relative, angles.data());
+        kernels.relate(input.attitudes, reference.attitudes, rows, angles.data());
         for (std::size_t i = 0; i < rows; ++i) {
             written[i * width] = settings_.per_radian * angles[i];
             if (settings_.attitudes) {

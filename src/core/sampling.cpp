@@ -158,9 +158,9 @@ void multiply(std::span<double> numbers, double factor) {
 std::vector<SampleKind> sample_kinds_of(RepresentationId name) {
     using enum SampleKind;
     std::vector kinds{uniform, small, half_turn, lock, border, cube};
-    if (name == RepresentationId::quat) {
+    if (codec_of(name).has_any_length) {
         kinds.push_back(scaled);
-    } else if (codec_of(name).exact_defect != nullptr) { // dcm, 6d, 5d
+    } else if (codec_of(name).exact_defect != nullptr) {
         kinds.push_back(noise);
     } else if (representation(name).has_angles()) {
         kinds.push_back(many_turns);
@@ -233,7 +233,7 @@ void Sampler::choose_numbers(std::uint64_t row, std::span<double> numbers) const
     }
     case SampleKind::scaled: multiply(numbers, draws.sign() * draws.of_size(-498, 497)); break; // 2^498 is 8e149
     case SampleKind::many_turns:
-        if (spec.name == RepresentationId::rotvec) {
+        if (representation(spec.name).angle_is_length) {
             multiply(numbers, draws.of_size(12, 40));
         } else { // all are angles, but for an axis
             std::ranges::generate(numbers.subspan(representation(spec.name).first_angle),

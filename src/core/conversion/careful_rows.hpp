@@ -98,7 +98,7 @@ template <class T> ROTCONV_INLINE void interpolate(const double* fractions, cons
 /// Applies a rotation that only permutes and negates axes exactly, to matrices, and leaves none.
 inline void move_axes(const Spec& spec, FixedSide& side, bool from_the_left, bool inverse, const double*& in,
                       std::size_t rows, double* out) noexcept {
-    if (spec.name != RepresentationId::dcm || side.count == 0) {
+    if (side.count == 0 || kernel_of(spec.name).column != 9) {
         return;
     }
     const auto& [w, x, y, z] = side.rotation.hi;

@@ -1,4 +1,5 @@
 #include <rotconv/conversion.hpp>
+#include <rotconv/product.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -41,9 +42,7 @@ UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers
     const bool has_axis = read.first_angle > 0;
     const double largest = largest_magnitude(numbers[0], numbers[1], numbers[2]);
     const double length = norm_of(numbers[0], numbers[1], numbers[2]);
-    const double angle = has_axis                                ? std::abs(numbers[read.first_angle])
-                         : spec.name == RepresentationId::rotvec ? length
-                                                                 : largest;
+    const double angle = has_axis ? std::abs(numbers[read.first_angle]) : read.angle_is_length ? length : largest;
     if (has_axis && length > 0.0 && std::abs(length - 1.0) > reported_axis_defect) {
         found.defect = std::abs(length - 1.0);
         found.of_axis = true;
@@ -52,6 +51,23 @@ UnusualNumbers unusual_numbers(const Spec& spec, std::span<const double> numbers
         found.angle = angle;
     }
     return found;
+}
+
+RowReport report_of(const Spec& spec, const double* numbers, Error error, double defect, double tolerance,
+                    bool is_exact) noexcept {
+    RowReport report{.error = error};
+    if (error != Error::none) {
+        return report;
+    }
+    const auto exact_defect = codec_of(spec.name).exact_defect;
+    report.defect = exact_defect != nullptr && (is_exact || tolerance < defect) ? exact_defect(numbers) : defect;
+    if (report.defect > tolerance) {
+        report.error = Error::defect;
+    } else {
+        report.unusual = unusual_numbers(spec, {numbers, spec.size()}, report.defect);
+        report.report_numbers();
+    }
+    return report;
 }
 
 FixedRotation::FixedRotation(const Rotation& rounded, const std::array<double, 4>& more)
@@ -225,6 +241,39 @@ void Conversion::again(std::span<const double> row, std::span<double> numbers, s
     const std::size_t rest_size = rest.size() / to_.size();
     run_task({.first = &from_, .to = &to_, .zeros = zeros_.get(), .rest_size = rest_size}, settings_, false, row,
              numbers, reports, rest);
+}
+
+// NOLINTNEXTLINE(modernize-pass-by-value): the other arguments are references, too
+Composition::Composition(const Spec& first, const Spec& second, const Spec& to, const ConversionSettings& settings)
+    : first_(checked(first)), second_(checked(second)), to_(checked(to)), settings_(settings),
+      zeros_(std::make_shared<ZeroTable>()) {}
+
+Composition Composition::interpolating() const {
+    Composition other = *this;
+    other.interpolates_ = true;
+    other.zeros_ = std::make_shared<ZeroTable>();
+    return other;
+}
+
+void Composition::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports,
+                      std::span<double> rest) const {
+    run_task({.first = &first_, .to = &to_, .zeros = zeros_.get(), .second = &second_}, settings_, interpolates_, in,
+             out, reports, rest);
+}
+
+void Composition::again(std::span<const double> row, std::span<double> numbers, std::span<double> rest) const {
+    std::vector<RowReport> reports;
+    const std::size_t rest_size = rest.size() / to_.size();
+    run_task({.first = &first_, .to = &to_, .zeros = zeros_.get(), .rest_size = rest_size, .second = &second_},
+             settings_, interpolates_, row, numbers, reports, rest);
+}
+
+// NOLINTNEXTLINE(modernize-pass-by-value): the other arguments are references, too
+VectorRotation::VectorRotation(const Spec& from, const ConversionSettings& settings)
+    : from_(checked(from)), settings_(settings), zeros_(std::make_shared<ZeroTable>()) {}
+
+void VectorRotation::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const {
+    run_task({.first = &from_, .zeros = zeros_.get()}, settings_, false, in, out, reports, {});
 }
 
 } // namespace rotconv

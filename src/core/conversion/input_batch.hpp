@@ -19,6 +19,12 @@ namespace rotconv {
 /// Constant rotations, as kernels take them.
 [[nodiscard]] FixedRotations fixed_rotations(const FixedRotation& left, const FixedRotation& right) noexcept;
 
+/// The error of numbers as they were read, or their defect, of which a bound is given, what is unusual about them, and
+/// whether it is to be reported.
+/// @param is_exact the defect is needed in full
+[[nodiscard]] RowReport report_of(const Spec& spec, const double* numbers, Error error, double defect, double tolerance,
+                                  bool is_exact) noexcept;
+
 /// A batch of rows of a SPEC and the attitudes that they describe, once a kernel has read them.
 class InputBatch {
 public:
@@ -60,23 +66,9 @@ public:
         }
         return defects != 0 || errors != 0 || unusual;
     }
-    /// The row's error, or its defect, what is unusual about its numbers, and whether these are to be reported.
     [[nodiscard]] RowReport report(std::size_t row, const ConversionSettings& settings) const noexcept {
-        RowReport report{.error = attitudes.error[row]};
-        if (report.error != Error::none) {
-            return report;
-        }
-        report.defect = attitudes.defect[row];
-        if (codec_->exact_defect != nullptr && (settings.sensitivity || settings.tolerance < report.defect)) {
-            report.defect = codec_->exact_defect(own_ + row * size_);
-        }
-        if (report.defect > settings.tolerance) {
-            report.error = Error::defect;
-        } else {
-            report.unusual = unusual_numbers(*spec_, {own_ + row * size_, size_}, report.defect);
-            report.report_numbers();
-        }
-        return report;
+        return report_of(*spec_, own_ + row * size_, attitudes.error[row], attitudes.defect[row], settings.tolerance,
+                         settings.sensitivity);
     }
 
     // NOLINTNEXTLINE(*-non-private-member-variables-in-classes): what it is for

@@ -1,7 +1,5 @@
 #include "kernels.hpp"
 
-#include "../representations/rotation_angle.hpp"
-
 namespace rotconv {
 
 extern const KernelTable kernels_of_any_processor;
@@ -33,16 +31,6 @@ DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numb
     // NOLINTNEXTLINE(*-reinterpret-cast)
     const auto& q = *reinterpret_cast<const double(*)[4]>(rotation.components().data());
     return kernel_table().write_one(spec, lock_margin, q, numbers);
-}
-
-void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,
-            AttitudeBatch<double>& relative, double* angles) noexcept {
-    kernel_table().relate(attitudes, references, rows, relative, angles);
-    for (std::size_t i = 0; i < rows; ++i) {
-        if (!(angles[i] >= 0x1p-100)) {
-            angles[i] = angle_of(relative.at(i));
-        }
-    }
 }
 
 } // namespace rotconv

@@ -144,17 +144,25 @@ void turn_vectors(const AttitudeBatch<DoubleDouble>& attitudes, const double* ve
     }
 }
 
-/// Leaves open what is in doubt, and not settled.
-void settle_all(const Task& task, const double* in, std::size_t rows, const AttitudeBatch<double>& rounded,
-                const std::uint64_t* doubts, double* out, bool* open) noexcept {
+/// Calls answer(i, row) for each row without an error of which something is in doubt, and not settled.
+template <class Function> void for_each_unsettled(const Task& task, const TaskNumbers& numbers, std::size_t rows,
+                                                  const Error* errors, const DiagnosticSet* diagnostics,
+                                                  const std::uint64_t* doubts, double* out, double* rest,
+                                                  const Function& answer) noexcept {
     std::uint64_t all = 0;
     for (std::size_t i = 0; i < rows; ++i) {
         all |= doubts[i];
-        open[i] = false;
     }
+    const std::size_t size = task.out_size();
     for (std::size_t i = 0; i < rows && all != 0; ++i) {
-        open[i] = doubts[i] != 0 && rounded.error[i] == Error::none &&
-                  !settle(task, TaskNumbers{in}.of_row(task, i), {}, doubts[i], out + i * task.to->size(), nullptr);
+        if (doubts[i] == 0 || errors[i] != Error::none) {
+            continue;
+        }
+        const TaskNumbers row = numbers.of_row(task, i);
+        if (!settle(task, row, diagnostics[i], doubts[i], out + i * size,
+                    rest == nullptr ? nullptr : rest + i * size)) {
+            answer(i, row);
+        }
     }
 }
 
@@ -186,7 +194,7 @@ template <class T> void run(const Task& task, const TaskNumbers& numbers, std::s
     std::uint64_t doubts[batch_rows] = {};
     const auto set_careful = [&](std::size_t i) { doubts[i] = other_doubt; };
     const std::size_t size = task.out_size();
-    const bool has_one_rest = task.rest_size == 1 && rest != nullptr;
+    double* const one_rest = task.rest_size == 1 ? rest : nullptr;
     read_written(task, numbers, rows, rounded, attitudes);
     for_each_careful_row(*task.first, numbers.first, attitudes, rows, set_careful, !std::is_same_v<T, double>);
     if (task.second != nullptr) {
@@ -197,26 +205,17 @@ template <class T> void run(const Task& task, const TaskNumbers& numbers, std::s
     }
     if (task.to != nullptr) {
         batch_kernel_of<T>(task.to->name)
-            .write(*task.to, task.lock_margin, attitudes, rows, out, has_one_rest ? rest : nullptr, diagnostics,
-                   doubts);
+            .write(*task.to, task.lock_margin, attitudes, rows, out, one_rest, diagnostics, doubts);
     } else if constexpr (!std::is_same_v<T, double>) {
         turn_vectors(attitudes, numbers.second, rows, out, doubts);
     }
-    forget_negative_zeros(has_one_rest ? rest : nullptr, rows * size);
-    std::uint64_t all_doubts = 0;
-    for (std::size_t i = 0; i < rows; ++i) {
-        all_doubts |= doubts[i];
-    }
-    for (std::size_t i = 0; i < rows && all_doubts != 0; ++i) {
-        if (doubts[i] == 0 || attitudes.error[i] != Error::none) {
-            continue;
-        }
-        const TaskNumbers row = numbers.of_row(task, i);
-        double* const own_rest = has_one_rest ? rest + i * size : nullptr;
-        if (!settle(task, row, diagnostics[i], doubts[i], out + i * size, own_rest)) {
-            diagnostics[i] = answer_carefully(task, row, out + i * size, own_rest, i, rounded.written);
-        }
-    }
+    forget_negative_zeros(one_rest, rows * size);
+    for_each_unsettled(task, numbers, rows, attitudes.error, diagnostics, doubts, out, one_rest,
+                       [&](std::size_t i, const TaskNumbers& row) {
+                           diagnostics[i] = answer_carefully(task, row, out + i * size,
+                                                             one_rest == nullptr ? nullptr : one_rest + i * size, i,
+                                                             rounded.written);
+                       });
     for (std::size_t i = 0; i < rows && task.rest_size > 1 && rest != nullptr; ++i) { // once more, in Wide
         const TaskNumbers row = numbers.of_row(task, i);
         double* const own = out + i * size;
@@ -273,11 +272,11 @@ bool run_first(const Task& task, const double* in, std::size_t rows, AttitudeBat
                bool* open) noexcept {
     const Spec& from = *task.first;
     const Spec& to = *task.to;
-    std::uint64_t doubts[batch_rows] = {};
-    const auto set_open = [open](std::size_t i) { open[i] = true; };
     const Kernel& reader = kernel_of(from.name);
     const Kernel& writer = kernel_of(to.name);
-    if (writer.is_quaternion && reader.read_first != nullptr && !has_rotations(*task.fixed)) {
+    std::uint64_t doubts[batch_rows] = {};
+    const bool only_reads = writer.is_quaternion && reader.read_first != nullptr && !has_rotations(*task.fixed);
+    if (only_reads) {
         if (!reader.read_first(from, in, rows, rounded, doubts)) {
             return false;
         }
@@ -290,22 +289,22 @@ bool run_first(const Task& task, const double* in, std::size_t rows, AttitudeBat
                 out[4 * i + k] = sign * q[k] + 0.0;
             }
         }
-        settle_all(task, in, rows, rounded, doubts, out, open);
-        if (!reader.first_takes_any_size) {
-            for_each_careful_row(from, in, rounded, rows, set_open);
-        }
-        return true;
-    }
-    if (writer.write_first == nullptr) {
+    } else if (writer.write_first != nullptr) {
+        AttitudeBatch<DoubleDouble> attitudes;
+        read_written(task, {in}, rows, {rounded}, attitudes);
+        writer.write_first(to, task.lock_margin, attitudes, rows, out, doubts);
+    } else {
         return false;
     }
-    AttitudeBatch<DoubleDouble> attitudes;
-    read_written(task, {in}, rows, {rounded}, attitudes);
-    writer.write_first(to, task.lock_margin, attitudes, rows, out, doubts);
-    settle_all(task, in, rows, rounded, doubts, out, open);
-    if (!writer.first_takes_any_size || !reader.is_quaternion) {
-        for_each_careful_row(from, in, attitudes, rows, set_open);
+    if (!(only_reads ? reader.first_takes_any_size : writer.first_takes_any_size && reader.is_quaternion)) {
+        for_each_careful_row(from, in, rounded, rows, [&](std::size_t i) { doubts[i] = other_doubt; });
     }
+    for (std::size_t i = 0; i < rows; ++i) {
+        open[i] = false;
+    }
+    const DiagnosticSet unlocked[batch_rows] = {}; // others are left open
+    for_each_unsettled(task, {in}, rows, rounded.error, unlocked, doubts, out, nullptr,
+                       [open](std::size_t i, const TaskNumbers& /*row*/) { open[i] = true; });
     return true;
 }
 
@@ -338,8 +337,9 @@ void read_exactly(const Spec& spec, const double* numbers, ExactQuaternion& atti
     attitude.off = attitudes.off[0] + 0x1p-98;
 }
 
-void relate_rounded(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,
-                    AttitudeBatch<double>& relative, double* angles) noexcept {
+void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,
+            double* angles) noexcept {
+    AttitudeBatch<double> relative;
     for (std::size_t i = 0; i < rows; ++i) {
         double q[4];
         double reference[4];
@@ -347,9 +347,6 @@ void relate_rounded(const AttitudeBatch<double>& attitudes, const AttitudeBatch<
         references.get(i, reference);
         make_relative(reference, q);
         relative.set(i, q);
-    }
-    for (std::size_t i = 0; i < rows; ++i) {
-        relative.error[i] = attitudes.error[i] != Error::none ? attitudes.error[i] : references.error[i];
     }
     const bool are_plain = all_plain(attitudes, 0, rows) && all_plain(references, 0, rows);
     for (std::size_t i = 0; i < rows && !are_plain; ++i) {
@@ -371,6 +368,9 @@ void relate_rounded(const AttitudeBatch<double>& attitudes, const AttitudeBatch<
     angles_of(scalars, lengths, rows, AngleUnit::radians, halves);
     for (std::size_t i = 0; i < rows; ++i) {
         angles[i] = 2.0 * halves.hi[i];
+        if (!(angles[i] >= 0x1p-100)) { // the squares may have underflowed
+            angles[i] = 2.0 * angle_of(scalars[i], norm_of(x[i], y[i], z[i]), AngleUnit::radians).hi;
+        }
     }
 }
 
@@ -426,7 +426,7 @@ constinit const KernelTable ROTCONV_KERNELS_OF(ROTCONV_TARGET){.target = ROTCONV
                                                                .run_first = run_first,
                                                                .run_fast = run<double>,
                                                                .read = read,
-                                                               .relate = relate_rounded,
+                                                               .relate = relate,
                                                                .read_exactly = read_exactly,
                                                                .read_one = read_one,
                                                                .write_one = write_one};

@@ -107,9 +107,10 @@ struct KernelTable {
     /// The attitudes that rows describe, between the fixed rotations, then rounded once.
     void (*read)(const Spec& spec, const FixedRotations& fixed, const double* numbers, std::size_t rows,
                  AttitudeBatch<double>& attitudes) noexcept;
-    /// See relate(); angles below 2^-100 need not be right.
+    /// The angles between attitudes, in radians: of R_REF' R, each component of its quaternion rounded once, so that
+    /// the vector part of equal quaternions is 0.
     void (*relate)(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,
-                   AttitudeBatch<double>& relative, double* angles) noexcept;
+                   double* angles) noexcept;
     /// One row to the last bit.
     void (*read_exactly)(const Spec& spec, const double* numbers, ExactQuaternion& attitude) noexcept;
     /// One row in plain double, q as w, x, y, z.
@@ -125,11 +126,6 @@ struct KernelTable {
 
 /// One row; with a lock margin of 0 no angle is set to 0 at gimbal lock. Returns what there is to report of it.
 DiagnosticSet write_row(const Spec& spec, const Rotation& rotation, double* numbers, double lock_margin = 0.0) noexcept;
-
-/// The rotations between attitudes, R_REF' R, each component rounded once: the vector part of equal quaternions is 0.
-/// Their angles are in radians.
-void relate(const AttitudeBatch<double>& attitudes, const AttitudeBatch<double>& references, std::size_t rows,
-            AttitudeBatch<double>& relative, double* angles) noexcept;
 
 // NOLINTEND(*-avoid-c-arrays)
 

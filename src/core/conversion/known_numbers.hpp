@@ -20,10 +20,9 @@ inline bool is_angle_in_degrees(const Spec* spec, const double* numbers, std::si
     if (spec == nullptr || spec->unit != AngleUnit::degrees) {
         return false;
     }
-    const bool is_length = spec->name == RepresentationId::rotvec && // one number alone
-                           numbers[(k + 1) % 3] == 0.0 && numbers[(k + 2) % 3] == 0.0;
-    return is_length || spec->name == RepresentationId::euler || spec->name == RepresentationId::rpy ||
-           (spec->name == RepresentationId::axis_angle && k == 3);
+    const Representation& entry = representation(spec->name);
+    const bool is_component = entry.angle_is_length && (numbers[(k + 1) % 3] != 0.0 || numbers[(k + 2) % 3] != 0.0);
+    return k >= entry.first_angle && !is_component;
 }
 
 /// The numbers of an attitude or of a vector as a pattern has them. Of angles multiples of `step` degrees, 90 or 15,
@@ -36,20 +35,19 @@ public:
         if (spec == nullptr) {
             return;
         }
-        is_matrix_ = spec->name == RepresentationId::dcm || spec->name == RepresentationId::two_column ||
-                     spec->name == RepresentationId::five_d;
+        const Kernel& kernel = kernel_of(spec->name);
+        is_matrix_ = kernel.column > 0;
         size_ = spec->size();
-        column_ = spec->name == RepresentationId::two_column ? 3 : size_; // each is of a size of its own
-        double square = 0.0;
+        signed_ = is_matrix_ ? size_ : representation(spec->name).first_angle;
+        column_ = is_matrix_ ? kernel.column : size_; // each is of a size of its own
         for (std::size_t k = 0; k < size_ && is_matrix_; ++k) {
             small_[k / column_] = larger_of(small_[k / column_], 0x1p-8 * __builtin_fabs(numbers[k]));
-            square += numbers[k] * numbers[k];
         }
-        sign_of_r11_ = spec->name == RepresentationId::five_d && square > 1.0 ? 1U : 0U;
+        hidden_sign_ = kernel.hidden_sign == nullptr ? 0U : kernel.hidden_sign(numbers);
     }
 
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
-    [[nodiscard]] unsigned sign_of_r11() const noexcept { return sign_of_r11_; } ///< which numbers of 5d do not show
+    [[nodiscard]] unsigned hidden_sign() const noexcept { return hidden_sign_; }
     [[nodiscard]] unsigned code(std::size_t k) const noexcept {
         const double number = numbers_[k];
         if (number == 0.0) {
@@ -91,17 +89,16 @@ public:
     }
 
 private:
-    [[nodiscard]] bool has_sign(std::size_t k) const noexcept {
-        return is_matrix_ || (size_ == 4 && k < 3 && spec_->name == RepresentationId::axis_angle);
-    }
+    [[nodiscard]] bool has_sign(std::size_t k) const noexcept { return k < signed_; }
 
     const Spec* spec_; ///< null of a vector
     const double* numbers_;
     double step_;
     bool has_angles_;
     bool is_matrix_ = false;
-    unsigned sign_of_r11_ = 0;
+    unsigned hidden_sign_ = 0;
     std::size_t size_ = 3;
+    std::size_t signed_ = 0; ///< so many of the numbers have their signs in it
     std::size_t column_ = 3;
     double small_[2] = {}; ///< entries of its columns up to here are small
 };
@@ -114,7 +111,7 @@ inline std::uint64_t zero_pattern(const Task& task, const TaskNumbers& row, doub
                             : task.lock_margin == LockLimit::at_upper ? 2
                                                                       : 0;
     const auto add = [&](const PartOfPattern& part) {
-        pattern = pattern << 1U | part.sign_of_r11();
+        pattern = pattern << 1U | part.hidden_sign();
         for (std::size_t k = 0; k < part.size(); ++k) {
             const unsigned code = part.code(k);
             all_known = all_known && part.is_known(k, code);
@@ -174,7 +171,7 @@ inline bool has_tiny(const FixedSide& side) noexcept {
 }
 
 inline bool has_half_turns(const Task& task) noexcept {
-    return task.to != nullptr && (task.to->name == RepresentationId::euler || task.to->name == RepresentationId::rpy);
+    return task.to != nullptr && representation(task.to->name).has_gimbal_lock;
 }
 
 /// Bit k: the number k is 0, or an angle of half a turn, in all rows of the row's pattern; bit 16 + k: the component k

@@ -78,10 +78,8 @@ std::vector<Columns> orders_of(const Representation& entry) {
     Columns columns{};
     std::iota(columns.begin(), columns.end(), std::uint8_t{0});
     std::vector<Columns> orders{columns};
-    if (entry.name == RepresentationId::axis_angle) { // the angle first
-        orders.push_back({1, 2, 3, 0});
-    } else if (entry.name == RepresentationId::two_column) { // row by row of the two
-        orders.push_back({0, 2, 4, 1, 3, 5});
+    if (const Columns& listed = codec_of(entry.name).listed_order; listed != Columns{}) {
+        orders.push_back(listed);
     }
     while (entry.has_gimbal_lock && std::next_permutation(columns.begin(), columns.begin() + 3)) {
         orders.push_back(columns);
@@ -94,7 +92,8 @@ std::vector<Candidate> candidates_of(std::size_t count, std::optional<Representa
     std::vector<Candidate> candidates;
     for (const RepresentationId id : all_representations) {
         const Representation& entry = representation(id);
-        const bool is_wanted = name ? id == *name : id != RepresentationId::rpy; // which is one of the sequences
+        const bool is_one_sequence = entry.has_gimbal_lock && !entry.takes_sequence;
+        const bool is_wanted = name ? id == *name : !is_one_sequence;
         if (!is_wanted || entry.size != count) {
             continue;
         }

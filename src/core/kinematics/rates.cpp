@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
-#include "../checks.hpp"
+#include "../conversion/input_batch.hpp"
 #include "../numerics/power_of_two.hpp"
-#include "../representations/codec.hpp"
 
 namespace rotconv {
 namespace {
@@ -41,20 +39,16 @@ Rates::Rates(const Spec& spec, const RateSettings& settings) : spec_(checked(spe
 void Rates::run(std::span<const double> in, std::span<double> out, std::vector<RowReport>& reports) const {
     reports.clear();
     const std::size_t rows = checked_rows(in.size(), in_size(), out.size(), out_size());
-    for (std::size_t row = 0; row < rows; ++row) {
-        double* const to = out.data() + row * out_size();
-        RowReport report = run_row(in.data() + row * in_size(), to);
-        report.row = row;
-        if (report.error == Error::none && !all_finite(to, out_size())) {
-            report.error = Error::overflow;
-        }
-        if (report.error != Error::none) {
-            std::fill_n(to, out_size(), std::numeric_limits<double>::quiet_NaN());
-        }
-        if (settings_.sensitivity || report.error != Error::none || !report.diagnostics.empty()) {
-            reports.push_back(report);
-        }
-    }
+    report_rows(
+        0, rows, out.data(), out_size(), settings_.sensitivity, reports, [](std::size_t /*row*/) { return true; },
+        [&](std::size_t row) {
+            double* const to = out.data() + row * out_size();
+            RowReport report = run_row(in.data() + row * in_size(), to);
+            const bool overflows = report.error == Error::none && !all_finite(to, out_size());
+            report.error = overflows ? Error::overflow : report.error;
+            return report;
+        },
+        [](std::size_t /*row*/, RowReport& /*report*/) {});
 }
 
 RowReport Rates::run_row(const double* in, double* out) const noexcept {
@@ -68,25 +62,18 @@ RowReport Rates::run_row(const double* in, double* out) const noexcept {
 
     const Codec& codec = codec_of(spec_.name);
     const Reading reading = read_row(spec_, numbers.data());
-    RowReport report{.error = reading.error(), .defect = reading.defect()};
-    if (!reading) {
-        return report;
-    }
-    if (codec.exact_defect != nullptr && (settings_.sensitivity || settings_.tolerance < reading.defect())) {
-        report.defect = codec.exact_defect(numbers.data());
-    }
-    report.sensitivity = codec.sensitivity_of_numbers == nullptr
-                             ? codec.sensitivity(spec_, *reading)
-                             : codec.sensitivity_of_numbers(spec_, numbers.data(), *reading);
-    if (report.defect > settings_.tolerance) {
-        report.error = Error::defect;
-    } else if (is_singular(codec, report.sensitivity)) {
-        report.error = Error::singular;
-    }
+    RowReport report =
+        report_of(spec_, numbers.data(), reading.error(), reading.defect(), settings_.tolerance, settings_.sensitivity);
     if (report.error != Error::none) {
         return report;
     }
-    report.unusual = unusual_numbers(spec_, numbers, report.defect);
+    const Sensitivity sensitivity = codec.sensitivity_of_numbers == nullptr
+                                        ? codec.sensitivity(spec_, *reading)
+                                        : codec.sensitivity_of_numbers(spec_, numbers.data(), *reading);
+    if (is_singular(codec, sensitivity)) {
+        return {.error = Error::singular, .defect = report.defect, .sensitivity = sensitivity};
+    }
+    report.sensitivity = sensitivity;
     const double speed = settings_.degrees || settings_.inverse ? 0.0 : Vector3d(given).norm();
     report.unusual.angle = std::max(report.unusual.angle, speed > reported_velocity ? speed : 0.0);
     report.report_numbers();

@@ -14,17 +14,11 @@ inline namespace ROTCONV_TARGET {
 ///     a^2        to 2^-99 a^2
 ///     a + b      to 2^-101 (|a| + |b|): of its parts only the low ones are rounded
 ///     root(a)    to 2^-99 root(a)
-struct Approximate {
-    double hi = 0.0;
-    double lo = 0.0;
-
-    ROTCONV_INLINE constexpr Approximate() noexcept = default;
-    ROTCONV_INLINE constexpr Approximate(double value) noexcept : hi(value) {}
-    ROTCONV_INLINE constexpr Approximate(double high, double low) noexcept : hi(high), lo(low) {}
-    ROTCONV_INLINE constexpr Approximate(DoubleDouble value) noexcept : hi(value.hi), lo(value.lo) {}
+struct Approximate : TwoParts {
+    using TwoParts::TwoParts;
+    ROTCONV_INLINE constexpr Approximate(DoubleDouble value) noexcept : TwoParts(value.hi, value.lo) {}
 };
 
-ROTCONV_INLINE Approximate operator-(Approximate a) noexcept { return {-a.hi, -a.lo}; }
 ROTCONV_INLINE Approximate operator+(Approximate a, Approximate b) noexcept {
     const DoubleDouble high = two_sum(a.hi, b.hi);
     return {high.hi, high.lo + (a.lo + b.lo)};
@@ -39,17 +33,10 @@ ROTCONV_INLINE Approximate square(Approximate a) noexcept {
     return {high.hi, __builtin_fma(a.hi + a.hi, a.lo, high.lo)};
 }
 ROTCONV_INLINE Approximate sloppy_sum(Approximate a, Approximate b) noexcept { return a + b; }
-ROTCONV_INLINE Approximate scaled(Approximate a, double power_of_two) noexcept {
-    return {a.hi * power_of_two, a.lo * power_of_two};
-}
 ROTCONV_INLINE Approximate root(Approximate a) noexcept {
     const double high = __builtin_sqrt(a.hi);
     return {high, (__builtin_fma(-high, high, a.hi) + a.lo) / (high + high)};
 }
-ROTCONV_INLINE Approximate select(bool condition, Approximate yes, Approximate no) noexcept {
-    return {condition ? yes.hi : no.hi, condition ? yes.lo : no.lo};
-}
-ROTCONV_INLINE double to_double(Approximate a) noexcept { return a.hi; }
 /// Where they differ by more than their errors.
 ROTCONV_INLINE bool is_at_most(Approximate a, Approximate b) noexcept { return a.hi <= b.hi; }
 /// What cancels is part of the bound.
@@ -63,16 +50,10 @@ ROTCONV_INLINE Approximate normalized(Approximate a) noexcept {
 
 /// A sum hi + lo for formulas in which nothing is large. Products, below 8, have a high part that is a multiple of
 /// 2^-48, so that sums of them, below 32, add the high parts without a rounding. Factors may be any numbers.
-struct Fixed {
-    double hi = 0.0;
-    double lo = 0.0;
-
-    ROTCONV_INLINE constexpr Fixed() noexcept = default;
-    ROTCONV_INLINE constexpr Fixed(double value) noexcept : hi(value) {}
-    ROTCONV_INLINE constexpr Fixed(double high, double low) noexcept : hi(high), lo(low) {}
+struct Fixed : TwoParts {
+    using TwoParts::TwoParts;
 };
 
-ROTCONV_INLINE Fixed operator-(Fixed a) noexcept { return {-a.hi, -a.lo}; }
 ROTCONV_INLINE Fixed operator+(Fixed a, Fixed b) noexcept { return {a.hi + b.hi, a.lo + b.lo}; }
 ROTCONV_INLINE Fixed operator-(Fixed a, Fixed b) noexcept { return {a.hi - b.hi, a.lo - b.lo}; }
 ROTCONV_INLINE Fixed sloppy_sum(Fixed a, Fixed b) noexcept { return a + b; }
@@ -90,13 +71,6 @@ ROTCONV_INLINE Fixed operator*(Fixed a, Fixed b) noexcept {
     return {high, __builtin_fma(a.hi, b.lo, __builtin_fma(a.lo, b.hi, __builtin_fma(a.hi, b.hi, -high)))};
 }
 ROTCONV_INLINE Fixed square(Fixed a) noexcept { return a * a; }
-ROTCONV_INLINE Fixed scaled(Fixed a, double power_of_two) noexcept {
-    return {a.hi * power_of_two, a.lo * power_of_two};
-}
-ROTCONV_INLINE Fixed select(bool condition, Fixed yes, Fixed no) noexcept {
-    return {condition ? yes.hi : no.hi, condition ? yes.lo : no.lo};
-}
-ROTCONV_INLINE double to_double(Fixed a) noexcept { return a.hi; }
 /// Each number over the divisor. The quotients are not for sums.
 // NOLINTNEXTLINE(*-avoid-c-arrays): numbers of a row, as everywhere in the core
 template <std::size_t N> ROTCONV_INLINE void divide(Fixed (&numbers)[N], const Fixed& divisor) noexcept {

@@ -40,16 +40,37 @@
 namespace rotconv {
 inline namespace ROTCONV_TARGET {
 
-/// An unevaluated sum hi + lo with |lo| <= ulp(hi)/2: 106 bits (Dekker 1971). hi is the sum rounded to double. Needs
-/// -ffp-contract=off. The bounds below hold, and the numbers are the same with and without a fused multiply-add, where
-/// each product is 0 or between 2^-960 and 2^960; see is_plain_number(). Wide takes any others.
-struct DoubleDouble {
+/// A number hi + lo. What these parts are is said by the scalars that are made of them.
+struct TwoParts {
     double hi = 0.0;
     double lo = 0.0;
 
-    ROTCONV_INLINE constexpr DoubleDouble() noexcept = default;
-    ROTCONV_INLINE constexpr DoubleDouble(double value) noexcept : hi(value) {}
-    ROTCONV_INLINE constexpr DoubleDouble(double high, double low) noexcept : hi(high), lo(low) {}
+    ROTCONV_INLINE constexpr TwoParts() noexcept = default;
+    ROTCONV_INLINE constexpr TwoParts(double value) noexcept : hi(value) {}
+    ROTCONV_INLINE constexpr TwoParts(double high, double low) noexcept : hi(high), lo(low) {}
+};
+template <class T>
+concept InTwoParts = std::is_base_of_v<TwoParts, T>;
+
+template <InTwoParts T> ROTCONV_INLINE constexpr T operator-(T a) noexcept { return {-a.hi, -a.lo}; }
+/// Times a power of two: exact.
+template <InTwoParts T> ROTCONV_INLINE T scaled(T a, double power_of_two) noexcept {
+    return {a.hi * power_of_two, a.lo * power_of_two};
+}
+/// `yes` or `no`; both are computed.
+template <InTwoParts T> ROTCONV_INLINE T select(bool condition, T yes, T no) noexcept {
+    return {condition ? yes.hi : no.hi, condition ? yes.lo : no.lo};
+}
+/// The nearest double.
+template <InTwoParts T> ROTCONV_INLINE double to_double(T a) noexcept { return a.hi; }
+/// A number of the same sign, and 0 only for 0.
+template <InTwoParts T> ROTCONV_INLINE double sign_of(T a) noexcept { return a.hi; }
+
+/// An unevaluated sum hi + lo with |lo| <= ulp(hi)/2: 106 bits (Dekker 1971). hi is the sum rounded to double. Needs
+/// -ffp-contract=off. The bounds below hold, and the numbers are the same with and without a fused multiply-add, where
+/// each product is 0 or between 2^-960 and 2^960; see is_plain_number(). Wide takes any others.
+struct DoubleDouble : TwoParts {
+    using TwoParts::TwoParts;
 };
 
 /// a + b exactly (Knuth 1969).
@@ -82,8 +103,6 @@ ROTCONV_INLINE DoubleDouble two_prod(double a, double b) noexcept {
     return {product, ((a_hi * b_hi - product) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo};
 #endif
 }
-
-ROTCONV_INLINE DoubleDouble operator-(DoubleDouble a) noexcept { return {-a.hi, -a.lo}; }
 
 /// To 3 x 2^-106, whatever cancels.
 ROTCONV_INLINE DoubleDouble operator+(DoubleDouble a, DoubleDouble b) noexcept {
@@ -137,11 +156,6 @@ ROTCONV_INLINE int exponent_of(double value) noexcept {
     return static_cast<int>((__builtin_bit_cast(std::uint64_t, value) >> 52U) & 0x7ffU) - 1023;
 }
 
-/// Times a power of two: exact.
-ROTCONV_INLINE DoubleDouble scaled(DoubleDouble a, double power_of_two) noexcept {
-    return {a.hi * power_of_two, a.lo * power_of_two};
-}
-
 /// To 16 x 2^-106. Not finite where b is 0.
 ROTCONV_INLINE DoubleDouble operator/(DoubleDouble a, DoubleDouble b) noexcept {
     const double high = a.hi / b.hi;
@@ -160,11 +174,6 @@ ROTCONV_INLINE DoubleDouble root(DoubleDouble a) noexcept {
 
 ROTCONV_INLINE DoubleDouble square(DoubleDouble a) noexcept { return a * a; }
 
-/// `yes` or `no`; both are computed.
-ROTCONV_INLINE DoubleDouble select(bool condition, DoubleDouble yes, DoubleDouble no) noexcept {
-    return {condition ? yes.hi : no.hi, condition ? yes.lo : no.lo};
-}
-
 // The same for doubles, so that a formula may be written once for both: each rounds once.
 
 ROTCONV_INLINE double sloppy_sum(double a, double b) noexcept { return a + b; }
@@ -172,6 +181,8 @@ ROTCONV_INLINE double scaled(double a, double power_of_two) noexcept { return a 
 ROTCONV_INLINE double root(double a) noexcept { return __builtin_sqrt(a); }
 ROTCONV_INLINE double square(double a) noexcept { return a * a; }
 ROTCONV_INLINE double select(bool condition, double yes, double no) noexcept { return condition ? yes : no; }
+ROTCONV_INLINE double to_double(double a) noexcept { return a; }
+ROTCONV_INLINE double sign_of(double a) noexcept { return a; }
 
 /// A number that was stored by itself a moment ago, read by itself: as part of a vector it would have to wait until it
 /// is in the cache, and all that follows with it.
@@ -183,14 +194,6 @@ ROTCONV_INLINE double alone(const double& stored) noexcept {
     return number;
 }
 template <class T> ROTCONV_INLINE const T& alone(const T& stored) noexcept { return stored; }
-
-/// The nearest double.
-ROTCONV_INLINE double to_double(double a) noexcept { return a; }
-ROTCONV_INLINE double to_double(DoubleDouble a) noexcept { return a.hi; }
-
-/// A number of the same sign, and 0 only for 0.
-ROTCONV_INLINE double sign_of(double a) noexcept { return a; }
-ROTCONV_INLINE double sign_of(DoubleDouble a) noexcept { return a.hi; }
 
 /// a <= b.
 ROTCONV_INLINE bool is_at_most(double a, double b) noexcept { return a <= b; }

@@ -76,7 +76,7 @@ struct TurnTable {
 
 private:
     static constexpr DoubleDouble signed_as(bool is_negative, const DoubleDouble& a) noexcept {
-        return is_negative ? DoubleDouble(-a.hi, -a.lo) : a;
+        return is_negative ? -a : a;
     }
 };
 

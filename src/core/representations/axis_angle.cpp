@@ -89,6 +89,7 @@ constinit const Codec codecs::axis_angle{.representation = {.name = Representati
                                          .singular = "identity, half-turn",
                                          .singular_attitude = "a half-turn",
                                          .formula = "R = I + sin(theta) [n] + (1 - cos(theta)) [n]^2",
+                                         .listed_order = {1, 2, 3, 0}, // the angle first
                                          .sensitivity = sensitivity_of<axis_angle::sensitivity>,
                                          .choose_nearest = choose_nearest};
 

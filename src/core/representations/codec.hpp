@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -32,6 +33,10 @@ struct Codec {
     std::string_view singular = "none";   ///< where the representation is singular
     std::string_view singular_attitude{}; ///< where its kinematic equation is, such as "a half-turn"
     std::string_view formula{};
+
+    /// Another order in which programs list the numbers; with all 0 there is none.
+    std::array<std::uint8_t, 9> listed_order{};
+    bool has_any_length = false; ///< the numbers times a factor are as good
 
     /// The defect in full, where reading returns a bound only; null elsewhere.
     double (*exact_defect)(const double* numbers) noexcept = nullptr;

@@ -337,6 +337,7 @@ struct Matrix : WrittenByFormula<Matrix, 9> {
 
 constinit const Kernel kernels::dcm = []() noexcept {
     Kernel kernel = kernel_of_formula<Matrix>;
+    kernel.column = Matrix::size;
     if (ROTCONV_HAS_FMA != 0) { // elsewhere they gain nothing
         kernel.read_first = Matrix::read_first;
         kernel.write_first = Matrix::write_first;

@@ -41,6 +41,13 @@ struct FiveNumbers : ReadByColumns<FiveNumbers, 5>, WrittenByFormula<FiveNumbers
         first[2] = scaled(y[1], 2.0);
         load(y + 2, second);
     }
+    static unsigned sign_of_r11(const double* y) noexcept {
+        double square = 0.0;
+        for (std::size_t k = 0; k < size; ++k) {
+            square += y[k] * y[k];
+        }
+        return square > 1.0 ? 1U : 0U;
+    }
     /// The terms of the first one's first number beside its length, of which it is off by a part.
     ROTCONV_INLINE static double lost_by_directions(const double (&y)[5]) noexcept {
         const double sum = ((y[0] * y[0] + y[1] * y[1]) + (y[2] * y[2] + y[3] * y[3])) + y[4] * y[4];
@@ -63,7 +70,12 @@ struct FiveNumbers : ReadByColumns<FiveNumbers, 5>, WrittenByFormula<FiveNumbers
 
 } // namespace
 
-constinit const Kernel kernels::five_d = kernel_of_formula<FiveNumbers>;
+constinit const Kernel kernels::five_d = []() noexcept {
+    Kernel kernel = kernel_of_formula<FiveNumbers>;
+    kernel.column = FiveNumbers::size;
+    kernel.hidden_sign = FiveNumbers::sign_of_r11;
+    return kernel;
+}();
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv

@@ -92,7 +92,10 @@ struct Kernel {
     /// squares of a normal in 5d), or of one that is stated beside another limit, stay above 2^-960 down to 2^-150. But
     /// sums that cancel keep more digits in Careful.
     double least_plain_number = 0x1p-112;
-    bool is_quaternion = false;        ///< its numbers are the attitude, of any size
+    bool is_quaternion = false; ///< its numbers are the attitude, of any size
+    std::size_t column = 0;     ///< of entries of a matrix: how many there are of one scale; 9: all
+    /// What the signs of the numbers do not show of the matrix, 0 or 1, or null.
+    unsigned (*hidden_sign)(const double* numbers) noexcept = nullptr;
     bool first_takes_any_size = false; ///< the bounds of its first phases hold for what is not plain, too
 };
 

@@ -88,6 +88,7 @@ constinit const Codec codecs::quat{
                        .other_order = {1, 2, 3, 0}},
     .range = "unit; w > 0, or w = 0 and the first nonzero of x, y, z positive",
     .formula = "w = cos(theta/2), (x, y, z) = sin(theta/2) n",
+    .has_any_length = true,
     .exact_defect = [](const double* v) noexcept { return quaternion::defect(value_of({}, v)); },
     .sensitivity = sensitivity_of<quaternion::sensitivity>,
     .choose_nearest = choose_nearest,

@@ -65,6 +65,7 @@ constinit const Codec codecs::two_column{.representation = {.name = Representati
                                                             .presets = presets_of_matrices},
                                          .range = "two orthonormal columns",
                                          .formula = "columns 1 and 2 of R; the third is their cross product",
+                                         .listed_order = {0, 2, 4, 1, 3, 5}, // row by row of the two
                                          .exact_defect = defect_of_columns,
                                          .sensitivity = sensitivity_of<two_column::sensitivity>,
                                          .rate = rate_of<TwoColumns, two_column::rate>,

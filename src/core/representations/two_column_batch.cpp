@@ -28,7 +28,11 @@ struct FirstTwoColumns : ReadByColumns<FirstTwoColumns, 6>, WrittenByFormula<Fir
 
 } // namespace
 
-constinit const Kernel kernels::two_column = kernel_of_formula<FirstTwoColumns>;
+constinit const Kernel kernels::two_column = []() noexcept {
+    Kernel kernel = kernel_of_formula<FirstTwoColumns>;
+    kernel.column = 3;
+    return kernel;
+}();
 
 } // namespace ROTCONV_TARGET
 } // namespace rotconv
