@@ -11,30 +11,22 @@ constexpr double pi = std::numbers::pi;
 
 /// Bernardes and Viollet 2022: a + ib and c + id of the sequence, read as rotations about fixed axes i, j, k.
 struct Halves {
-    Halves(EulerSequence sequence, const double* q) noexcept {
-        const FixedAxes axes(sequence);
+    Halves(EulerSequence sequence, const double* q) noexcept : Halves(FixedAxes(sequence), q) {}
+    Halves(const FixedAxes& axes, const double* q) noexcept : sign(axes.sign) {
         const double qi = q[1 + axes.i];
         const double qj = q[1 + axes.j];
         const double qk = q[1 + axes.k] * axes.sign;
-        sign = axes.sign;
-        if (sequence.proper()) {
-            a = q[0];
-            b = qi;
-            c = qj;
-            d = qk;
-        } else {
-            a = q[0] - qj;
-            b = qi + qk;
-            c = qj + q[0];
-            d = qk - qi;
-        }
+        a = axes.proper ? q[0] : q[0] - qj;
+        b = axes.proper ? qi : qi + qk;
+        c = axes.proper ? qj : qj + q[0];
+        d = axes.proper ? qk : qk - qi;
         half_sum = std::atan2(b, a);
         half_difference = std::atan2(d, c);
     }
 
+    double sign;
     double a, b, c, d;
     double half_sum, half_difference; ///< halves of the outer angles' sum and difference
-    double sign;
 };
 
 /// The end of their procedure: Tait-Bryan angles from those of a proper sequence.

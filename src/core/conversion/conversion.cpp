@@ -105,11 +105,10 @@ FixedRotation FixedRotation::of_numbers(const Spec& spec, std::span<const double
 }
 
 FixedRotation operator*(const FixedRotation& a, const FixedRotation& b) {
-    const ExactQuaternion factors[] = {exact(a), exact(b)};
     DoubleDouble q[3][4];
     for (std::size_t k = 0; k < 4; ++k) {
-        q[0][k] = {factors[0].hi[k], factors[0].lo[k]};
-        q[1][k] = {factors[1].hi[k], factors[1].lo[k]};
+        q[0][k] = {a.rotation.components().at(k), a.rest.at(k)};
+        q[1][k] = {b.rotation.components().at(k), b.rest.at(k)};
     }
     multiply(q[0], q[1], q[2]);
     FixedRotation product(Rotation::near_unit(q[2][0].hi, q[2][1].hi, q[2][2].hi, q[2][3].hi),

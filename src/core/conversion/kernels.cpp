@@ -229,42 +229,25 @@ template <class T> void run(const Task& task, const TaskNumbers& numbers, std::s
     forget_negative_zeros(out, rows * size);
 }
 
-/// Converts to 106 bits, together, the rows that are open and have no error.
+/// Answers the rows that are open, each stretch of them together.
 void run_open(const Task& task, const double* in, std::size_t rows, const bool* open, AttitudeBatch<double>& rounded,
               double* out, DiagnosticSet* diagnostics) noexcept {
-    bool are_open = false;
-    for (std::size_t i = 0; i < rows; ++i) {
-        are_open |= open[i];
-    }
-    if (!are_open) {
-        return;
-    }
-    const std::size_t from_size = task.first->size();
-    const std::size_t to_size = task.to->size();
+    AttitudeBatch<double> own;
     std::size_t count = 0;
-    std::size_t places[batch_rows];
-    double numbers[most_numbers * batch_rows];
-    for (std::size_t i = 0; i < rows; ++i) {
-        if (open[i] && rounded.error[i] == Error::none) {
-            for (std::size_t k = 0; k < from_size; ++k) {
-                numbers[count * from_size + k] = in[i * from_size + k];
-            }
-            places[count++] = i;
+    for (std::size_t i = 0; i < rows; i += count + 1) {
+        count = 0;
+        while (i + count < rows && open[i + count]) {
+            ++count;
         }
-    }
-    double results[most_numbers * batch_rows];
-    AttitudeBatch<double> attitudes;
-    DiagnosticSet found[batch_rows];
-    run<DoubleDouble>(task, {numbers}, count, {attitudes}, results, nullptr, found);
-    for (std::size_t n = 0; n < count; ++n) {
-        const std::size_t i = places[n];
-        for (std::size_t k = 0; k < to_size; ++k) {
-            out[i * to_size + k] = results[n * to_size + k];
+        if (count > 0) [[unlikely]] {
+            run<DoubleDouble>(task, {in + i * task.first->size()}, count, {own}, out + i * task.to->size(), nullptr,
+                              diagnostics + i);
         }
-        rounded.set(i, {attitudes[0][n], attitudes[1][n], attitudes[2][n], attitudes[3][n]});
-        rounded.defect[i] = attitudes.defect[n];
-        rounded.error[i] = attitudes.error[n];
-        diagnostics[i] = found[n];
+        for (std::size_t n = 0; n < count; ++n) {
+            rounded.set(i + n, {own[0][n], own[1][n], own[2][n], own[3][n]});
+            rounded.defect[i + n] = own.defect[n];
+            rounded.error[i + n] = own.error[n];
+        }
     }
 }
 
@@ -308,7 +291,6 @@ bool run_first(const Task& task, const double* in, std::size_t rows, AttitudeBat
     return true;
 }
 
-/// The rows that the first phase leaves open, together.
 void run_in_phases(const Task& task, const TaskNumbers& numbers, std::size_t rows, const TaskAttitudes& rounded,
                    double* out, double* rest, DiagnosticSet* diagnostics) noexcept {
     bool open[batch_rows];

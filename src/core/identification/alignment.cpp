@@ -188,8 +188,7 @@ double MeanRotation::rms() const noexcept {
     if (count_ == 0.0) {
         return 0.0;
     }
-    const double square = std::clamp(Eigensystem<4>(squared_sines()).values[0] / count_, 0.0, 1.0);
-    return 2.0 * angle_of(std::sqrt(1.0 - square), std::sqrt(square), AngleUnit::radians).hi;
+    return angle_of_squared_sine(std::clamp(Eigensystem<4>(squared_sines()).values[0] / count_, 0.0, 1.0));
 }
 
 void Alignment::add(const Rotation& attitude, const Rotation& known) noexcept {

@@ -21,8 +21,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double far = 1e3;
 constexpr double farthest = 0.5;
 
-using Columns = std::array<std::uint8_t, 9>;
-
 /// All sequences with all signs, those with the fewest first.
 std::vector<EulerSequence> sequences() {
     std::vector<EulerSequence> all;
@@ -74,11 +72,11 @@ std::vector<Spec> specs_of(const Representation& entry) {
 }
 
 /// The orders in which programs list the numbers of a representation.
-std::vector<Columns> orders_of(const Representation& entry) {
-    Columns columns{};
+std::vector<ColumnOrder> orders_of(const Representation& entry) {
+    ColumnOrder columns{};
     std::iota(columns.begin(), columns.end(), std::uint8_t{0});
-    std::vector<Columns> orders{columns};
-    if (const Columns& listed = codec_of(entry.name).listed_order; listed != Columns{}) {
+    std::vector<ColumnOrder> orders{columns};
+    if (const ColumnOrder& listed = codec_of(entry.name).listed_order; listed != ColumnOrder{}) {
         orders.push_back(listed);
     }
     while (entry.has_gimbal_lock && std::next_permutation(columns.begin(), columns.begin() + 3)) {
@@ -100,7 +98,7 @@ std::vector<Candidate> candidates_of(std::size_t count, std::optional<Representa
         for (Spec spec : specs_of(entry)) {
             const bool is_rpy = !name && entry.takes_sequence && spec.sequence == roll_pitch_yaw;
             spec.name = is_rpy ? RepresentationId::rpy : spec.name;
-            for (const Columns& columns : orders_of(entry)) {
+            for (const ColumnOrder& columns : orders_of(entry)) {
                 // Intrinsic turns are the extrinsic ones with the columns reversed.
                 if (!entry.takes_sequence || columns[0] < columns[2]) {
                     candidates.push_back({.spec = spec, .columns = columns});
@@ -143,8 +141,7 @@ std::vector<double> generic_numbers(const Spec& spec) {
 } // namespace
 
 bool Candidate::is_plain() const noexcept {
-    return std::ranges::is_sorted(std::span(columns).first(spec.size())) && spec.sequence.sign(0) > 0.0 &&
-           spec.sequence.sign(1) > 0.0 && spec.sequence.sign(2) > 0.0;
+    return std::ranges::is_sorted(std::span(columns).first(spec.size())) && !spec.sequence.has_signs();
 }
 
 void Candidate::add(double row_angle, std::size_t row) noexcept {
@@ -185,17 +182,23 @@ std::vector<Rotation> Identification::generic_attitudes(const Candidate& candida
 std::vector<Rotation> Identification::attitudes_of(const Candidate& candidate, double tolerance,
                                                    std::span<const double> numbers, std::size_t width,
                                                    std::vector<RowReport>& reports, bool fast) {
-    const std::size_t size = candidate.spec.size();
+    const Conversion conversion(candidate.spec, Spec{}, {.tolerance = tolerance, .fast = fast});
+    return attitudes_by(conversion, candidate.columns, numbers, width, reports);
+}
+
+std::vector<Rotation> Identification::attitudes_by(const Conversion& conversion, const ColumnOrder& columns,
+                                                   std::span<const double> numbers, std::size_t width,
+                                                   std::vector<RowReport>& reports) {
+    std::vector<Rotation> attitudes(numbers.size() / width);
     std::vector<double> ordered;
-    ordered.reserve(numbers.size() / width * size);
+    ordered.reserve(attitudes.size() * conversion.from().size());
     for (std::size_t row = 0; row < numbers.size(); row += width) {
-        for (std::size_t i = 0; i < size; ++i) {
-            ordered.push_back(numbers[row + candidate.columns.at(i)]);
+        for (const std::uint8_t column : std::span(columns).first(conversion.from().size())) {
+            ordered.push_back(numbers[row + column]);
         }
     }
-    std::vector<double> quaternions(4 * (numbers.size() / width));
-    Conversion(candidate.spec, Spec{}, {.tolerance = tolerance, .fast = fast}).run(ordered, quaternions, reports);
-    std::vector<Rotation> attitudes(numbers.size() / width);
+    std::vector<double> quaternions(4 * attitudes.size());
+    conversion.run(ordered, quaternions, reports);
     for (std::size_t i = 0; i < attitudes.size(); ++i) {
         attitudes[i] = rotation_at(quaternions.data() + 4 * i);
     }
@@ -211,13 +214,9 @@ void Identification::add(std::span<const double> numbers, std::span<const std::s
                          std::vector<RowReport>& reports) {
     const std::size_t width = count_ + known_conversion_.from().size();
     check_size(numbers.size(), rows.size() * width);
-    known_numbers_.clear();
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const auto known = numbers.subspan(i * width + count_, width - count_);
-        known_numbers_.insert(known_numbers_.end(), known.begin(), known.end());
-    }
-    known_.resize(4 * rows.size());
-    known_conversion_.run(known_numbers_, known_, reports);
+    ColumnOrder columns{};
+    std::iota(columns.begin(), columns.end(), static_cast<std::uint8_t>(count_));
+    known_ = attitudes_by(known_conversion_, columns, numbers.first(rows.size() * width), width, reports);
     std::ranges::for_each(reports, [](RowReport& report) {
         report.at_fault = 1;
         report.references[0].defect = report.error == Error::none ? std::exchange(report.defect, 0.0) : 0.0;
@@ -247,13 +246,12 @@ std::size_t Identification::try_rows(std::span<const double> numbers, std::span<
         const auto own = attitudes_of(candidates_[reader], settings_.tolerance,
                                       numbers.subspan(first * width, count * width), width, found_);
         for (std::size_t i = 0; i < count; ++i) {
-            angles_[reader * count + i] =
-                angle_of_row(candidates_[reader], own[i], rotation_at(known_.data() + 4 * (first + i)));
+            angles_[reader * count + i] = angle_of_row(candidates_[reader], own[i], known_[first + i]);
         }
     }
     for (std::size_t row = 0; row < count; ++row) {
         const std::size_t at = first + row;
-        if (std::isnan(known_[4 * at])) {
+        if (!is_attitude(known_[at])) {
             continue;
         }
         const auto row_numbers = numbers.subspan(at * width, count_);
@@ -269,7 +267,7 @@ std::size_t Identification::try_rows(std::span<const double> numbers, std::span<
             continue;
         }
         ++rows_;
-        remember(row_numbers, rotation_at(known_.data() + 4 * at), rows[at]);
+        remember(row_numbers, known_[at], rows[at]);
         bool are_others = rows_ == rows_for_all;
         std::erase_if(living_, [&](std::size_t living) {
             Candidate& candidate = candidates_[living];
@@ -279,7 +277,7 @@ std::size_t Identification::try_rows(std::span<const double> numbers, std::span<
             return is_dropped(candidate);
         });
         if (are_others) {
-            choose_living(row_numbers, rotation_at(known_.data() + 4 * at), rows[at]);
+            choose_living(row_numbers, known_[at], rows[at]);
             return row + 1;
         }
     }

@@ -16,10 +16,13 @@
 
 namespace rotconv {
 
+/// For each number of a SPEC the column that holds it, from 0.
+using ColumnOrder = std::array<std::uint8_t, 9>;
+
 /// A convention that the numbers may have: a SPEC and an order of the columns.
 struct Candidate {
     Spec spec;
-    std::array<std::uint8_t, 9> columns{}; ///< for each number of the SPEC the column that holds it, from 0
+    ColumnOrder columns{};
     std::size_t rows = 0; ///< on which it was tried: all, those that were kept, or those until it was dropped
     double angle = 0.0;   ///< largest angle to the known attitude, radians; infinite if a row has no attitude in it
     std::size_t angle_row = 0;         ///< the first row with that angle
@@ -143,6 +146,10 @@ private:
     static std::vector<Rotation> attitudes_of(const Candidate& candidate, double tolerance,
                                               std::span<const double> numbers, std::size_t width,
                                               std::vector<RowReport>& reports, bool fast = false);
+    /// Those that a conversion to quaternions makes of the numbers in these columns.
+    static std::vector<Rotation> attitudes_by(const Conversion& conversion, const ColumnOrder& columns,
+                                              std::span<const double> numbers, std::size_t width,
+                                              std::vector<RowReport>& reports);
     /// False for the nan that stand for numbers without an attitude.
     [[nodiscard]] static bool is_attitude(const Rotation& rotation) noexcept { return rotation.w() == rotation.w(); }
     /// Attitudes that a candidate makes of `generic_numbers_`, with its constant rotations.
@@ -191,9 +198,8 @@ private:
     std::array<std::array<double, 9>, 9> greatest_differences_{};
 
     // Buffers of add().
-    std::vector<double> known_numbers_;
-    std::vector<double> known_;  ///< quaternions, nan if there is none
-    std::vector<double> angles_; ///< one batch for each candidate
+    std::vector<Rotation> known_; ///< see is_attitude()
+    std::vector<double> angles_;  ///< one batch for each candidate
     std::vector<RowReport> found_;
 };
 

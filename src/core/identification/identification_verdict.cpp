@@ -28,14 +28,6 @@ constexpr double rounding = 1e-7;
 
 using Attitudes = std::vector<Rotation>;
 
-ConstantRotations constant_rotations(AlignedSide side, const Attitudes& unknown, const Attitudes& known) {
-    Alignment alignment(side);
-    for (std::size_t i = 0; i < known.size(); ++i) {
-        alignment.add(unknown[i], known[i]);
-    }
-    return alignment.some_rotations();
-}
-
 /// Whether no angle between them is beyond the limit, without an arctangent: it is asked of all pairs of candidates.
 bool are_near(const Attitudes& a, const Attitudes& b, double limit) {
     const double most = sine_of(0.5 * std::min(limit, std::numbers::pi));
@@ -137,11 +129,6 @@ std::vector<std::size_t> far_apart(const Attitudes& attitudes) {
 
 /// Up to this angle others are as near as the nearest: a factor of ten, of more than rounding.
 double most_alike(double nearest) noexcept { return 10.0 * std::max(nearest, 1e-12); }
-
-/// The angle whose squared half sine this is.
-double angle_of_square(double square) noexcept {
-    return 2.0 * angle_of(std::sqrt(std::max(0.0, 1.0 - square)), std::sqrt(square), AngleUnit::radians).hi;
-}
 
 /// What trials on two sets of rows say together.
 Candidate joined(const Candidate& a, const Candidate& b) noexcept {
@@ -271,7 +258,11 @@ std::vector<Candidate> Identification::rotated() const {
         }
         std::vector<Turn> turns;
         for (const AlignedSide side : {AlignedSide::reference, AlignedSide::body}) {
-            turns.push_back({constant_rotations(side, own, some.known)});
+            Alignment alignment(side);
+            for (std::size_t i = 0; i < own.size(); ++i) {
+                alignment.add(own[i], some.known[i]);
+            }
+            turns.push_back({alignment.some_rotations()});
         }
         std::ranges::copy_if(named_axes(), std::back_inserter(turns),
                              [](const Turn& axes) { return axes.constant.count() == 2; });
@@ -359,7 +350,7 @@ bool Identification::do_rows_suffice(const Candidate& candidate, double within) 
     if (candidate.constant.count() == 0) {
         return true;
     }
-    if (rows_ < 2 || angle_of_square(spread_) <= rounding) {
+    if (rows_ < 2 || angle_of_squared_sine(spread_) <= rounding) {
         return false;
     }
     // Along the axes, or halfway between them, other axes are changes of the numbers' signs and order.
@@ -385,13 +376,13 @@ Verdict::Ambiguity Identification::ambiguity(Verdict& verdict) const {
     if (rows_ < 2) {
         return Ambiguity::rows;
     }
-    const double spread = angle_of_square(spread_);
+    const double spread = angle_of_squared_sine(spread_);
     const double least = std::max(settings_.within, rounding);
     if (spread <= (rotated ? least : settings_.within)) {
         return Ambiguity::attitudes;
     }
     // SPECs of small attitudes differ by half the angle's square.
-    verdict.angle = rotated ? spread : angle_of_square(greatest_angle_);
+    verdict.angle = rotated ? spread : angle_of_squared_sine(greatest_angle_);
     if (verdict.angle * verdict.angle <= 4.0 * settings_.within) {
         return Ambiguity::size;
     }

@@ -11,7 +11,6 @@ inline namespace ROTCONV_TARGET {
 /// error proves that the exact ones round to them. With u = 2^-53, |a.lo| <= 2^-50 |a| and no product out of
 /// DoubleDouble's range:
 ///     a b        to 2^-99 |a b|: a.lo b.lo is left out, and the low part, below 2^-49 |a b|, is rounded three times
-///     a^2        to 2^-99 a^2
 ///     a + b      to 2^-101 (|a| + |b|): of its parts only the low ones are rounded
 ///     root(a)    to 2^-99 root(a)
 struct Approximate : TwoParts {
@@ -28,11 +27,6 @@ ROTCONV_INLINE Approximate operator*(Approximate a, Approximate b) noexcept {
     const DoubleDouble high = two_prod(a.hi, b.hi);
     return {high.hi, __builtin_fma(a.hi, b.lo, __builtin_fma(a.lo, b.hi, high.lo))};
 }
-ROTCONV_INLINE Approximate square(Approximate a) noexcept {
-    const DoubleDouble high = two_prod(a.hi, a.hi);
-    return {high.hi, __builtin_fma(a.hi + a.hi, a.lo, high.lo)};
-}
-ROTCONV_INLINE Approximate sloppy_sum(Approximate a, Approximate b) noexcept { return a + b; }
 ROTCONV_INLINE Approximate root(Approximate a) noexcept {
     const double high = __builtin_sqrt(a.hi);
     return {high, (__builtin_fma(-high, high, a.hi) + a.lo) / (high + high)};
@@ -56,7 +50,6 @@ struct Fixed : TwoParts {
 
 ROTCONV_INLINE Fixed operator+(Fixed a, Fixed b) noexcept { return {a.hi + b.hi, a.lo + b.lo}; }
 ROTCONV_INLINE Fixed operator-(Fixed a, Fixed b) noexcept { return {a.hi - b.hi, a.lo - b.lo}; }
-ROTCONV_INLINE Fixed sloppy_sum(Fixed a, Fixed b) noexcept { return a + b; }
 /// The multiple of 2^-48 next to a b.
 ROTCONV_INLINE double fixed_part(double a, double b) noexcept {
     constexpr double last_place = 0x1.8p4; // a number whose last place is 2^-48
@@ -70,7 +63,6 @@ ROTCONV_INLINE Fixed operator*(Fixed a, Fixed b) noexcept {
     const double high = fixed_part(a.hi, b.hi);
     return {high, __builtin_fma(a.hi, b.lo, __builtin_fma(a.lo, b.hi, __builtin_fma(a.hi, b.hi, -high)))};
 }
-ROTCONV_INLINE Fixed square(Fixed a) noexcept { return a * a; }
 /// Each number over the divisor. The quotients are not for sums.
 // NOLINTNEXTLINE(*-avoid-c-arrays): numbers of a row, as everywhere in the core
 template <std::size_t N> ROTCONV_INLINE void divide(Fixed (&numbers)[N], const Fixed& divisor) noexcept {

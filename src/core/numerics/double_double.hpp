@@ -122,6 +122,10 @@ ROTCONV_INLINE DoubleDouble operator+(double a, DoubleDouble b) noexcept { retur
 ROTCONV_INLINE DoubleDouble operator-(DoubleDouble a, double b) noexcept { return a + -b; }
 ROTCONV_INLINE DoubleDouble operator-(double a, DoubleDouble b) noexcept { return -b + a; }
 
+/// A sum and a square of scalars that have no other.
+template <class T> ROTCONV_INLINE T sloppy_sum(const T& a, const T& b) noexcept { return a + b; }
+template <class T> ROTCONV_INLINE T square(const T& a) noexcept { return a * a; }
+
 /// To 2^-104 of the larger operand: for sums that do not cancel, or whose operands are no better.
 ROTCONV_INLINE DoubleDouble sloppy_sum(DoubleDouble a, DoubleDouble b) noexcept {
     const DoubleDouble high = two_sum(a.hi, b.hi);
@@ -172,14 +176,10 @@ ROTCONV_INLINE DoubleDouble root(DoubleDouble a) noexcept {
     return fast_two_sum(high, a.hi > 0.0 ? rest / (2.0 * high) : 0.0);
 }
 
-ROTCONV_INLINE DoubleDouble square(DoubleDouble a) noexcept { return a * a; }
-
 // The same for doubles, so that a formula may be written once for both: each rounds once.
 
-ROTCONV_INLINE double sloppy_sum(double a, double b) noexcept { return a + b; }
 ROTCONV_INLINE double scaled(double a, double power_of_two) noexcept { return a * power_of_two; }
 ROTCONV_INLINE double root(double a) noexcept { return __builtin_sqrt(a); }
-ROTCONV_INLINE double square(double a) noexcept { return a * a; }
 ROTCONV_INLINE double select(bool condition, double yes, double no) noexcept { return condition ? yes : no; }
 ROTCONV_INLINE double to_double(double a) noexcept { return a; }
 ROTCONV_INLINE double sign_of(double a) noexcept { return a; }

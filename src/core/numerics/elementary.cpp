@@ -66,14 +66,10 @@ template <class T> ROTCONV_INLINE Steps steps_in_radians(DoubleDouble angle, T /
 }
 
 /// Valid range: angles below 2^44. A step is 2.8125 degrees, of which multiples are doubles.
-template <class T> ROTCONV_INLINE Steps steps_in_degrees(DoubleDouble angle, T /*scalar*/) noexcept {
+ROTCONV_INLINE Steps steps_in_degrees(DoubleDouble angle) noexcept {
     constexpr double step_in_degrees = 2.8125;
     const double count = (angle.hi * (1.0 / step_in_degrees) + rounding) - rounding;
     const double rest = angle.hi - count * step_in_degrees;
-    if constexpr (std::is_same_v<T, Approximate>) { // the angle is a double, and 2^-104 of the rest will do
-        const DoubleDouble high = two_prod(rest, exact_radians_per_degree.hi);
-        return {count, {high.hi, __builtin_fma(rest, exact_radians_per_degree.lo, high.lo)}};
-    }
     return {count, two_sum(rest, angle.lo) * exact_radians_per_degree};
 }
 
@@ -118,8 +114,7 @@ Steps steps_in_large(DoubleDouble angle, AngleUnit unit) noexcept {
     }
     if (unit == AngleUnit::degrees) {
         // each part alone, exactly, then the sum, which may be a turn more
-        return steps_in_degrees(two_sum(__builtin_fmod(angle.hi, 360.0), __builtin_fmod(angle.lo, 360.0)),
-                                DoubleDouble());
+        return steps_in_degrees(two_sum(__builtin_fmod(angle.hi, 360.0), __builtin_fmod(angle.lo, 360.0)));
     }
     const Steps high = steps_in_large_radians(angle.hi);
     const Steps low =
@@ -133,7 +128,7 @@ template <class T> ROTCONV_INLINE Steps steps_of_any(DoubleDouble angle, AngleUn
     if (!(__builtin_fabs(angle.hi) < (in_degrees ? 0x1p44 : 0x1p12))) [[unlikely]] {
         return steps_in_large(angle, unit);
     }
-    return in_degrees ? steps_in_degrees(angle, scalar) : steps_in_radians(angle, scalar);
+    return in_degrees ? steps_in_degrees(angle) : steps_in_radians(angle, scalar);
 }
 
 /// Taylor's series of an angle up to 0.05: the sine and the cosine less 1, in full length as far as the digits of a
@@ -324,7 +319,7 @@ template <class T> void sine_cosine(const Column<DoubleDouble>& angles, std::siz
     };
     if (unit == AngleUnit::degrees) {
         for (std::size_t i = 0; i < rows; ++i) {
-            set(i, steps_in_degrees(angles[i], T()));
+            set(i, steps_in_degrees(angles[i]));
         }
     } else {
         for (std::size_t i = 0; i < rows; ++i) {

@@ -76,9 +76,7 @@ public:
     friend Wide operator/(const Wide& a, const Wide& b) noexcept; ///< not finite where b may be 0
     friend Wide root(const Wide& a) noexcept;
     friend Wide scaled(const Wide& a, double power) noexcept;
-    friend Wide sloppy_sum(const Wide& a, const Wide& b) noexcept { return a + b; }
     friend Wide clean_difference(const Wide& a, const Wide& b) noexcept { return a - b; }
-    friend Wide square(const Wide& a) noexcept { return a * a; }
     friend Wide select(bool condition, const Wide& yes, const Wide& no) noexcept { return condition ? yes : no; }
     friend bool is_at_most(const Wide& a, const Wide& b) noexcept { return (b - a).sign() >= 0; }
     friend double to_double(const Wide& a) noexcept { return a.rounded(); }

@@ -18,10 +18,6 @@ Reading to_rotation_of_any_size(const Eigen::Quaterniond& q, double tolerance) n
 }
 
 double defect(const Eigen::Quaterniond& q) noexcept {
-    const double square = squared_norm(q.w(), q.x(), q.y(), q.z());
-    if (square > 0x1p-900 && square < 0x1p900) {
-        return std::fabs(std::sqrt(square) - 1.0);
-    }
     const auto scale = PowerOfTwo::to_unit(largest_magnitude(q.w(), q.x(), q.y(), q.z()));
     const double scaled = squared_norm(scale(q.w()), scale(q.x()), scale(q.y()), scale(q.z()));
     return std::fabs(scale.undone(std::sqrt(scaled)) - 1.0);

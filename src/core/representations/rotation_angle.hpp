@@ -21,6 +21,11 @@ inline double squared_sine_of_half(const Rotation& q) noexcept {
     return (q.x() * q.x() + q.y() * q.y() + q.z() * q.z()) / q.squared_norm();
 }
 
+/// The angle of a rotation of which this is that, to rounding.
+inline double angle_of_squared_sine(double square) noexcept {
+    return 2.0 * angle_of(std::sqrt(std::fmax(0.0, 1.0 - square)), std::sqrt(square), AngleUnit::radians).hi;
+}
+
 /// The angle of the rotation, in [0, pi].
 inline double angle_of(const Rotation& rotation) noexcept {
     return 2.0 * angle_of(std::fabs(rotation.w()), rotation.vector_length(), AngleUnit::radians).hi;
