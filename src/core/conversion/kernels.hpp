@@ -73,11 +73,14 @@ struct TaskNumbers {
     const double* fractions = nullptr; ///< six numbers: where it is between them, see interpolate() of careful_rows.hpp
 
     [[nodiscard]] ROTCONV_INLINE TaskNumbers of_row(const Task& task, std::size_t row) const noexcept {
-        const auto at = [row](const double* numbers, std::size_t size) {
-            return numbers == nullptr ? nullptr : numbers + row * size;
-        };
-        return {at(first, task.first->size()), at(second, task.second_size()), at(later, task.second_size()),
-                at(fractions, 6)};
+        const std::size_t second_place = row * task.second_size();
+        return {first + row * task.first->size(), moved(second, second_place), moved(later, second_place),
+                moved(fractions, 6 * row)};
+    }
+
+private:
+    ROTCONV_INLINE static const double* moved(const double* numbers, std::size_t by) noexcept {
+        return numbers == nullptr ? nullptr : numbers + by;
     }
 };
 
