@@ -65,7 +65,7 @@ constexpr auto project_table = std::to_array<Project>({
     {"halcon-rodriguez", "rodriguez", "cayley", "RotX RotY RotZ", "", "", "MVTec HALCON, create_pose", ""},
     // simulation, graphics and libraries
     {"usd", "openusd gfquat", "quat", "w x y z", "", "", "OpenUSD, GfQuatf(real, i, j, k); usdGeom/xformOp.cpp", "a GfMatrix4d is for row vectors: its rotation is dcm:passive; rotateXYZ is rpy:deg"},
-    {"openxr", "", "quat:xyzw", "w x y z", "", "", "OpenXR specification, XrQuaternionf", "the axes of a view are rub"},
+    {"openxr", "", "quat:xyzw", "w x y z", "rub", "rub", "OpenXR specification, XrQuaternionf; Coordinate System", ""},
     {"dotnet", "system.numerics csharp", "quat:xyzw Quaternion; euler:YXZ yaw, pitch, roll: CreateFromYawPitchRoll; dcm:passive Matrix4x4, for row vectors", "", "", "", ".NET, System.Numerics.Quaternion", ""},
     {"gl-matrix", "", "quat:xyzw; rpy:deg fromEuler, order zyx; dcm:col mat3", "", "", "", "glMatrix, src/quat.js", ""},
     {"sophus", "", "quat:xyzw data(); rotvec log()", "", "", "", "Sophus, so3.hpp", ""},

@@ -213,7 +213,7 @@ std::vector<KnownNames> all_sets(const Part& part, std::span<const std::string> 
     texts.push_back(mapped(names, [](const std::string& name) { return name_and_unit(name).first; }));
     texts.resize(texts[0] == texts[1] ? 1 : 2); // without units, if there are any
     if (part.attitude && part.attitude->name == RepresentationId::dcm) {
-        texts.push_back(mapped(texts.back(), with_indices_joined));
+        texts.push_back(mapped(texts.front(), with_indices_joined));
     }
     std::vector<KnownNames> found;
     std::set<std::vector<std::size_t>> known;

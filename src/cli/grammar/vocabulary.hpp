@@ -19,7 +19,7 @@ inline constexpr std::string_view declaration =
     "quatf quatd matrix4d matrix3d float3 double3 ";
 /// Before a bracket.
 inline constexpr std::string_view container = " array asarray matrix vector tensor list tuple point rotation transform "
-                                              "pose float double int p ";
+                                              "pose float double int p simd_float simd_double ";
 /// A container of a quaternion whose scalar is the last.
 inline constexpr std::string_view container_xyzw = " from_quat tf::quaternion tf2::quaternion ";
 /// The label of something that is not a number; in XML also the name of such an attribute.
