@@ -147,6 +147,13 @@ Command chosen(const CommandOptions& given, Command command) {
             {stream::Note::Kind::chosen,
              fmt::format("{0} {1} has several SPECs, of which one fits: {0} {2}{3}", "--from",
                          given.find("--from")->text(), rows->line->find("--from")->text(), selected)});
+        const std::string change = joined(axes_of_specs(given.words), " ");
+        const auto is_on_axes = [](const stream::Note& note) { return note.kind == stream::Note::Kind::axes; };
+        const auto is_given = [&given](const char* name) { return given.given(name) != nullptr; };
+        if (!change.empty() && std::ranges::none_of(rows->notes, is_on_axes) &&
+            std::ranges::none_of(std::array{"--reference-axes", "--body-axes", "--left", "--right"}, is_given)) {
+            rows->notes.push_back(note_on_axes(" " + change)); // the SPEC that fits does not name the project
+        }
     }
     return command;
 }

@@ -152,5 +152,7 @@ void read_names(const RowOptions& options, const Option& time_option, bool names
 
 /// The same for options that are "SPEC: NUMBERS".
 [[nodiscard]] std::vector<stream::Note> notes_on_options(const RowOptions& options);
+/// That --from and --to have different axes. @param change the options that take one to the other
+[[nodiscard]] stream::Note note_on_axes(std::string_view change);
 
 } // namespace rotconv::cli

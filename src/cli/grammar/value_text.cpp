@@ -429,7 +429,8 @@ private:
             return;
         }
         const auto named = named_representation(last_part(text));
-        const bool is_container = named || is(vocabulary::container, without_type(last_part(text)));
+        const bool has_columns = is(vocabulary::container_columns, without_type(text));
+        const bool is_container = named || has_columns || is(vocabulary::container, without_type(last_part(text)));
         const Token& next = peek(remark_size());
         const bool is_call = next.kind == TokenKind::open && remark_size() == 0 && next.text.size() == 1;
         if (next.kind == TokenKind::open && next.text.size() == 1 && (is_container || is(vocabulary::heading, text))) {
@@ -437,6 +438,8 @@ private:
             if (is(vocabulary::container_xyzw, text) || is(vocabulary::container_xyzw, last_part(text)) ||
                 (lower(before) == "in" && named == RepresentationId::quat)) { // tf2_echo's "in Quaternion ["
                 add_word("xyzw", own);
+            } else if (has_columns) {
+                add_word("col", own);
             }
             take_remark(own);
             bracket(own);

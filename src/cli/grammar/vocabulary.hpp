@@ -19,9 +19,11 @@ inline constexpr std::string_view declaration =
     "quatf quatd matrix4d matrix3d float3 double3 ";
 /// Before a bracket.
 inline constexpr std::string_view container = " array asarray matrix vector tensor list tuple point rotation transform "
-                                              "pose float double int p simd_float simd_double ";
+                                              "pose float double int p ";
 /// A container of a quaternion whose scalar is the last.
 inline constexpr std::string_view container_xyzw = " from_quat tf::quaternion tf2::quaternion ";
+/// A container of a matrix that is listed by columns.
+inline constexpr std::string_view container_columns = " simd_float simd_double ";
 /// The label of something that is not a number; in XML also the name of such an attribute.
 inline constexpr std::string_view text_key = " dtype device layout requires_grad grad_fn frame_id child_frame_id ";
 inline constexpr std::string_view xml_key = " name type class frame relative_to ";

@@ -318,24 +318,6 @@ std::array<std::size_t, 2> specs_among(const std::vector<std::string>& words) {
     return places;
 }
 
-/// The options that take the axes after --from, of a project or a convention, to those after --to.
-std::vector<std::string> axes_of_specs(const std::vector<std::string>& words) {
-    std::array<const Project*, 2> named{};
-    const auto places = specs_among(words);
-    for (std::size_t side = 0; side < 2; ++side) {
-        const std::string spec = places.at(side) > 0 ? words[places.at(side)] : "";
-        for (const std::string_view part : split(spec, ':')) {
-            const auto names = {part.substr(0, part.find_first_of("-_")), part}; // unity-quat
-            for (const std::string_view name : names) {
-                const Project* const project = find_project(name);
-                const Project* const found = project != nullptr ? project : convention_of_axes(name);
-                named.at(side) = found != nullptr ? found : named.at(side);
-            }
-        }
-    }
-    return words_in(named[0] != nullptr && named[1] != nullptr ? change_of_axes(*named[0], *named[1]) : "");
-}
-
 /// The words without axes that are a part of both SPECs, or the whole of one.
 std::vector<std::string> without_axes(std::vector<std::string> words) {
     const auto places = specs_among(words);
@@ -467,6 +449,23 @@ private:
 };
 
 } // namespace
+
+std::vector<std::string> axes_of_specs(const std::vector<std::string>& words) {
+    std::array<const Project*, 2> named{};
+    const auto places = specs_among(words);
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::string spec = places.at(side) > 0 ? words[places.at(side)] : "";
+        for (const std::string_view part : split(spec, ':')) {
+            const auto names = {part.substr(0, part.find_first_of("-_")), part}; // unity-quat
+            for (const std::string_view name : names) {
+                const Project* const project = find_project(name);
+                const Project* const found = project != nullptr ? project : convention_of_axes(name);
+                named.at(side) = found != nullptr ? found : named.at(side);
+            }
+        }
+    }
+    return words_in(named[0] != nullptr && named[1] != nullptr ? change_of_axes(*named[0], *named[1]) : "");
+}
 
 bool may_be_tolerated(const CommandOptions& options, const stream::RowError& error) {
     return error.what == stream::RowError::What::attitude && error.error == Error::defect &&

@@ -431,13 +431,15 @@ std::vector<Mend> with_specs_of_others(const OptionSet& options) {
 
 std::vector<Mend> with_second_options(const OptionSet& options) {
     Mend mend;
-    for (const char* name : {"--columns", "--from", "--key", "--time-unit"}) {
+    for (const auto& [name, of_reference] :
+         {std::pair<std::string_view, std::string_view>{"--columns", "--reference-columns"},
+          {"--from", option_of_second_spec(options)},
+          {"--key", "--reference-key"},
+          {"--time-unit", "--reference-time-unit"}}) {
         const Option* const option = options.given(name);
-        const bool is_from = name == std::string_view("--from");
-        const Option* const second =
-            options.missing(is_from ? option_of_second_spec(options) : fmt::format("--reference-{}", name + 2));
+        const Option* const second = options.missing(of_reference);
         if (option != nullptr && option->texts.size() == 2 && second != nullptr && options.has("--reference-columns") &&
-            (!is_from || is_spec(option->texts[1]))) {
+            (name != "--from" || is_spec(option->texts[1]))) {
             mend.edits.push_back(OptionSet::instead_of(*option, second->name(), option->texts[1]));
         }
     }

@@ -217,8 +217,8 @@ std::string few_keys_met(const stream::PairingStats& keys, const stream::Pairing
     const std::string within = pairing.within.text();
     const std::string_view few = keys.any_pair ? "fewer than half of FILE's keys are" : "no key of FILE is";
     std::string text = pairing.interpolates ? fmt::format("{} between two of REFERENCE at most {} apart", few, within)
-                       : keys.any_pair   ? fmt::format("fewer than half of FILE's keys match within {}", within)
-                                         : fmt::format("{} within {} of one of REFERENCE", few, within);
+                       : keys.any_pair      ? fmt::format("fewer than half of FILE's keys match within {}", within)
+                                            : fmt::format("{} within {} of one of REFERENCE", few, within);
     std::string mend;
     if (keys.nearest && *keys.nearest > pairing.within) {
         text += fmt::format("; the nearest {}are {} apart", keys.any_pair ? "others " : "", keys.nearest->text());

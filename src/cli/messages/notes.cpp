@@ -240,11 +240,14 @@ void read_names(const RowOptions& options, const Option& time_option, bool names
     input.notes_of = [notes](const stream::HeaderFacts& said) { return notes->on(said); };
 }
 
+stream::Note note_on_axes(std::string_view change) {
+    return {Kind::axes, fmt::format("--from and --to have different axes, which no SPEC changes:{}", change)};
+}
+
 std::vector<stream::Note> notes_on_options(const RowOptions& options) {
     std::vector<stream::Note> notes;
     if (const std::string change = axes_options(options); !change.empty()) {
-        notes.push_back({Kind::axes, fmt::format("{} and {} have different axes, which no SPEC changes:{}",
-                                                 options.from.name(), options.to.name(), change)});
+        notes.push_back(note_on_axes(change));
     }
     for (const Option* option : {&options.left, &options.right, &options.initial}) {
         if (option->given()) {
