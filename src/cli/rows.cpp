@@ -152,7 +152,9 @@ public:
         }
         using enum stream::RowError::What;
         const auto what = last_error_->what;
-        const std::string message = in_words(*last_error_);
+        const bool is_gap = what == not_a_number && !command_->has_values &&
+                            last_error_->text.find_first_not_of("\" \t") == std::string::npos;
+        const std::string message = in_words(*last_error_) + (is_gap ? "; --on-error skip or nan goes on" : "");
         const bool has_answers =
             ending.answered == 0 || what == other_width || what == missing_column || what == attitude;
         has_answers ? tell_with_answers(last_error_->place, message) : tell(last_error_->place, message);

@@ -84,12 +84,15 @@ std::vector<std::string> specs_of_file(const std::string& name, const std::strin
     if (bytes.empty()) {
         return {};
     }
-    constexpr std::array<const char*, 3> known{"quat", "dcm", "rpy"};
+    static constexpr std::array<const char*, 4> known{"quat", "dcm", "rpy", "euler:bunge"};
+    const auto fits = [](const char* spec, const std::vector<std::string>& names) {
+        const auto set = find_names(*messages::spec_of(spec), names);
+        return set && (set->decides || spec == known[0]); // q0 q1 q2 q3
+    };
     stream::InputOptions input;
-    input.columns_of = [&known](const std::vector<std::string>& names) {
-        return stream::ChosenColumns{.are_known = std::ranges::any_of(known, [&names](const char* spec) {
-                                         return find_names(*messages::spec_of(spec), names).has_value();
-                                     })};
+    input.columns_of = [&fits](const std::vector<std::string>& names) {
+        return stream::ChosenColumns{
+            .are_known = std::ranges::any_of(known, [&](const char* spec) { return fits(spec, names); })};
     };
     stream::TextSource source(bytes);
     stream::RowBlocks blocks(source, input, nullptr, stream::IoBlockReader::largest_block);
@@ -110,7 +113,7 @@ std::vector<std::string> specs_of_file(const std::string& name, const std::strin
     said += fmt::format("; {} has {}: {}", name, counted(row.fields.size(), "column"), numbered(names));
     std::vector<std::string> specs;
     for (const char* spec : known) {
-        if (find_names(*messages::spec_of(spec), names)) {
+        if (fits(spec, names)) {
             specs.emplace_back(spec);
         }
     }

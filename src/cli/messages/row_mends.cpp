@@ -428,7 +428,7 @@ private:
         auto begins = may_choose ? rotation_places(rows_[row].fields, *spec_) : Places();
         if (!begins.empty() && begins[0] == 0 && row + 1 < rows_.size() &&
             is_less(rows_[row].fields[0], rows_[row + 1].fields[0])) { // a time is no component, if others may be
-            std::ranges::rotate(begins, begins.begin() + 1);
+            std::rotate(begins.begin(), begins.begin() + 1, begins.end());
         }
         for (const std::size_t i : begins) {
             const auto named = above                    ? std::optional(above->known)

@@ -30,6 +30,13 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
     return row.back();
 }
 
+/// Whether two letters that follow each other have changed places: qaut.
+bool are_swapped(std::string_view one, std::string_view other) {
+    const auto at = static_cast<std::size_t>(std::ranges::mismatch(one, other).in1 - one.begin());
+    return one.size() == other.size() && at + 1 < one.size() && one[at] == other[at + 1] && one[at + 1] == other[at] &&
+           one.substr(at + 2) == other.substr(at + 2);
+}
+
 /// The SPECs of a sequence in other ways of writing: eulerZYX, euler-zyx, z-y'-x'', and Gohlke's rzyx (rotating axes)
 /// and sxyz (static ones). Letters in lower case have two meanings.
 Words sequences_in(std::string_view text) {
@@ -147,7 +154,9 @@ Words choose_nearest(std::string_view text, const Legal& legal) {
     const std::string word = lower(without_marks(text));
     std::size_t least = word.size() < 5 ? 2 : 3;
     for (const std::string_view each : legal) {
-        const std::size_t distance = word == lower(without_marks(each)) ? 0 : edit_distance(lower(text), lower(each));
+        const std::size_t distance = word == lower(without_marks(each))      ? 0
+                                     : are_swapped(lower(text), lower(each)) ? 1
+                                                                             : edit_distance(lower(text), lower(each));
         if (distance < least) {
             least = distance;
             best = {std::string(each)};
