@@ -1,15 +1,35 @@
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
+#include <vector>
 
 #include "../core/projects.hpp"
 #include "command.hpp"
 
 namespace rotconv::cli {
+
+namespace {
+
+/// What may follow the last colon of a SPEC: its sequence, or modifiers.
+std::vector<std::string> words_behind_colon(std::string_view spec) {
+    const std::string_view name = spec.substr(0, spec.find(':'));
+    const Representation* const named = find_representation(name);
+    const auto project = messages::spec_of(name);
+    if (named != nullptr && named->takes_sequence && std::ranges::count(spec, ':') == 1) {
+        return messages::all_sequences();
+    }
+    auto words = messages::words_of(named != nullptr ? named->modifiers
+                                    : project        ? representation(project->name).modifiers
+                                                     : ModifierSet());
+    std::ranges::copy(messages::all_presets(), std::back_inserter(words));
+    return {words.begin(), words.end()};
+}
+
+} // namespace
 
 std::string completions(std::span<const std::string> before, std::string word) {
     const auto table = command_table();
@@ -44,7 +64,6 @@ std::string completions(std::span<const std::string> before, std::string word) {
     }
 
     const bool is_spec = awaited != nullptr && (awaited->argument == "SPEC" || awaited->argument == "KNOWN");
-    const auto colons = std::ranges::count(word, ':');
     std::string kind = is_spec ? "open" : "words";
     std::string lines;
     const auto add = [&](const auto& words) {
@@ -71,20 +90,10 @@ std::string completions(std::span<const std::string> before, std::string word) {
         add(awaited->choices);
     } else if (awaited->argument == "FILE") {
         kind = "files";
-    } else if (is_spec && colons > 0) {
-        const std::string name = word.substr(0, word.find(':'));
-        const Representation* const named = find_representation(name);
-        const auto project = parse_spec(name);
-        const auto* const own = std::get_if<Spec>(&project);
+    } else if (is_spec && word.find(':') != std::string::npos) {
+        const std::string spec = word;
         split_behind(word.rfind(':'));
-        if (named != nullptr && named->takes_sequence && colons == 1) {
-            add(messages::all_sequences());
-        } else {
-            add(messages::words_of(named != nullptr ? named->modifiers
-                                   : own != nullptr ? representation(own->name).modifiers
-                                                    : ModifierSet()));
-            add(messages::all_presets());
-        }
+        add(words_behind_colon(spec));
     } else if (is_spec || awaited->argument == "NAME" || awaited->argument == "SET") {
         add(messages::all_names());
     }

@@ -1,4 +1,3 @@
-
 #include <rotconv/product.hpp>
 
 #include "../row_options.hpp"

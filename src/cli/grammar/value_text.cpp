@@ -429,7 +429,7 @@ private:
             return;
         }
         const auto named = named_representation(last_part(text));
-        const bool has_columns = is(vocabulary::container_columns, without_type(text));
+        const bool has_columns = is(vocabulary::container_columns, without_type(text)) && lower(peek(1).text) != "rows";
         const bool is_container = named || has_columns || is(vocabulary::container, without_type(last_part(text)));
         const Token& next = peek(remark_size());
         const bool is_call = next.kind == TokenKind::open && remark_size() == 0 && next.text.size() == 1;

@@ -103,6 +103,7 @@ struct Outcome {
     bool is_of_project = false; ///< which has several SPECs
     bool is_of_values = false;  ///< which mean another SPEC
     bool guesses_spec = false;  ///< see Usage
+    bool stops = false;         ///< at a row of another width, behind which there are more
     std::vector<Edit> better{}; ///< the units that the rows have
     MendGroups mends{};         ///< otherwise: the first group of which one serves counts
 };
@@ -197,10 +198,11 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
         bytes ? &reference : nullptr);
     using What = stream::RowError::What;
     const bool is_done = !ending.error && !told.wrong;
-    const bool is_of_width =
-        told.wrong && (told.wrong->what == What::wrong_count || told.wrong->what == What::other_width ||
-                       told.wrong->what == What::missing_column);
-    Outcome outcome{.serves = ending.answered > 0 && (is_done || !(whole || is_of_width))};
+    Outcome outcome{.serves = ending.answered > 0 && (is_done || !whole)};
+    outcome.stops = command.options.on_error == stream::OnError::stop && told.wrong &&
+                    (told.wrong->what == What::wrong_count || told.wrong->what == What::other_width ||
+                     told.wrong->what == What::missing_column) &&
+                    told.wrong->place.line < static_cast<std::size_t>(std::ranges::count(text, '\n'));
     if (outcome.serves) {
         outcome.names = command.has_values || told.is_whole_text || options.input.width > 0
                             ? RowNamesKind::none
@@ -209,7 +211,8 @@ Outcome outcome_of(const RowsCommand& command, const Attempt& attempt, const std
         outcome.better = told.better;
         if (command.strict && told.columns_line > 0) { // the note counts
             const auto named = name_mends(command, text, told.columns_line);
-            outcome.better = named.empty() ? outcome.better : named[0][0].edits;
+            const auto& more = named.empty() ? std::vector<Edit>() : named[0][0].edits;
+            outcome.better.insert(outcome.better.end(), more.begin(), more.end());
         }
     }
     const bool is_of_number = outcome.serves && told.wrong && told.wrong->what == What::attitude;
@@ -318,6 +321,12 @@ std::array<std::size_t, 2> specs_among(const std::vector<std::string>& words) {
     return places;
 }
 
+std::vector<std::string> axes_of(const std::vector<std::string>& words) {
+    const auto places = specs_among(words);
+    return places[0] > 0 && places[1] > 0 ? axes_of_specs(words[places[0]], words[places[1]])
+                                          : std::vector<std::string>();
+}
+
 /// The words without axes that are a part of both SPECs, or the whole of one.
 std::vector<std::string> without_axes(std::vector<std::string> words) {
     const auto places = specs_among(words);
@@ -347,7 +356,7 @@ class Search {
 public:
     explicit Search(const Attempt& wrong) {
         Attempt dashed = wrong;
-        dashed.axes = axes_of_specs(wrong.words);
+        dashed.axes = axes_of(wrong.words);
         dashed.words = with_dashes(without_axes(wrong.words));
         follow(dashed, dashed.words == wrong.words ? 0 : 1);
     }
@@ -406,7 +415,7 @@ private:
             follow(attempt, depth, is_choice, outcome, *group);
         }
         if (outcome.serves && depth > 0 && found_.size() == before && // perhaps the first rows alone
-            !(is_choice && outcome.names == RowNamesKind::others)) {
+            !(is_choice && outcome.names == RowNamesKind::others) && !(attempt.has_guess && outcome.stops)) {
             keep(attempt, outcome.names);
         }
     }
@@ -432,7 +441,7 @@ private:
                 Attempt next = attempt.after(group[i]);
                 next.has_guess = attempt.has_guess || outcome.guesses_spec;
                 next.letters = has_letters && is_first_choice ? std::optional(i) : attempt.letters;
-                next.axes = attempt.axes.empty() ? axes_of_specs(next.words) : attempt.axes;
+                next.axes = attempt.axes.empty() ? axes_of(next.words) : attempt.axes;
                 most_ = one_each ? std::min(most, found_.size() + 1) : most;
                 const bool is_last = outcome.is_tried && !group[i].keeps_lines; // rows have no second mend
                 follow(next, is_last ? deepest : depth + 1, is_choice || group.size() > 1);
@@ -450,21 +459,21 @@ private:
 
 } // namespace
 
-std::vector<std::string> axes_of_specs(const std::vector<std::string>& words) {
-    std::array<const Project*, 2> named{};
-    const auto places = specs_among(words);
-    for (std::size_t side = 0; side < 2; ++side) {
-        const std::string spec = places.at(side) > 0 ? words[places.at(side)] : "";
-        for (const std::string_view part : split(spec, ':')) {
-            const auto names = {part.substr(0, part.find_first_of("-_")), part}; // unity-quat
-            for (const std::string_view name : names) {
+std::vector<std::string> axes_of_specs(const std::string& from, const std::string& to) {
+    const auto project_of = [](const std::string& specs) {
+        const Project* found = nullptr;
+        for (const std::string_view part : split(split(specs, ',').front(), ':')) { // all after -t have the same axes
+            for (const std::string_view name : {part.substr(0, part.find_first_of("-_")), part}) { // unity-quat
                 const Project* const project = find_project(name);
-                const Project* const found = project != nullptr ? project : convention_of_axes(name);
-                named.at(side) = found != nullptr ? found : named.at(side);
+                const Project* const own = project != nullptr ? project : convention_of_axes(name);
+                found = own != nullptr ? own : found;
             }
         }
-    }
-    return words_in(named[0] != nullptr && named[1] != nullptr ? change_of_axes(*named[0], *named[1]) : "");
+        return found;
+    };
+    const Project* const own = project_of(from);
+    const Project* const other = project_of(to);
+    return words_in(own != nullptr && other != nullptr ? change_of_axes(*own, *other) : "");
 }
 
 bool may_be_tolerated(const CommandOptions& options, const stream::RowError& error) {

@@ -28,8 +28,8 @@ inline constexpr std::string_view raw_word = "\x01";
 [[nodiscard]] std::optional<std::vector<std::string>> only_answer(const std::vector<std::string>& words,
                                                                   const std::vector<Mend>& mends);
 
-/// The options that take the axes after --from, of a project or a convention such as ned, to those after --to.
-[[nodiscard]] std::vector<std::string> axes_of_specs(const std::vector<std::string>& words);
+/// The options that take the axes of one SPEC, of a project or a convention such as ned, to those of the other.
+[[nodiscard]] std::vector<std::string> axes_of_specs(const std::string& from, const std::string& to);
 
 /// A command without a SPEC: what its numbers or its file have, and the SPECs that may be meant.
 [[nodiscard]] Usage missing_spec(const CommandOptions& options, const MissingSpec& error);

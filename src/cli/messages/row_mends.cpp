@@ -52,7 +52,8 @@ constexpr auto filters = std::to_array<Filter>({
          const bool has_point = text.find('.', text.find('\n')) != std::string::npos; // below a header
          return has_point ? text : replaced(text, ',', '.');
      }},
-    {R"(tr , '\t')", [](const std::string& text) { return replaced(text, ',', '\t'); }},
+    {R"(tr , '\t')", // between tabs
+     [](const std::string& text) { return text.find('\t') == std::string::npos ? text : replaced(text, ',', '\t'); }},
     {"tr -d '\"'",
      [](const std::string& text) {
          std::string made = text;
@@ -89,10 +90,6 @@ using Places = std::vector<std::size_t>;
 std::optional<double> number_in(std::string_view field) {
     double number = 0.0;
     return stream::read_number(field, number) == stream::NumberError::none ? std::optional(number) : std::nullopt;
-}
-bool is_less(std::string_view a, std::string_view b) {
-    const auto first = number_in(a);
-    return first && first < number_in(b);
 }
 
 /// Whether a name differs from the one before only in a number, which is the next: sigma[0] and sigma[1].
@@ -425,9 +422,10 @@ private:
         }
         const auto names = row > 0 ? rows_[row - 1].names() : std::vector<std::string>();
         const auto above = may_choose ? header_above(row) : std::nullopt;
+        constexpr std::size_t most_places = 20; // each is tried
         auto begins = may_choose ? rotation_places(rows_[row].fields, *spec_) : Places();
-        if (!begins.empty() && begins[0] == 0 && row + 1 < rows_.size() &&
-            is_less(rows_[row].fields[0], rows_[row + 1].fields[0])) { // a time is no component, if others may be
+        begins.resize(std::min(begins.size(), most_places));
+        if (!begins.empty() && begins[0] == 0 && begins_with_time(row)) { // no component, if others may be
             std::rotate(begins.begin(), begins.begin() + 1, begins.end());
         }
         for (const std::size_t i : begins) {
@@ -445,6 +443,17 @@ private:
                 offer_in_both_orders(*columns, is_known, pipe, text);
             }
         }
+    }
+    /// Whether the first field is less than that of the next row as wide.
+    [[nodiscard]] bool begins_with_time(std::size_t row) const {
+        const auto& fields = rows_[row].fields;
+        const auto is_like_it = [&](const Row& each) {
+            return each.has_numbers && each.fields.size() == fields.size();
+        };
+        const auto later = std::span(rows_).subspan(row + 1);
+        const auto next = std::ranges::find_if(later, is_like_it);
+        const auto first = number_in(fields[0]);
+        return next != later.end() && first && first < number_in(next->fields[0]);
     }
     /// The only columns that names say to be the numbers, if not in their words: of one stem with indices one after the
     /// other, of six the last; or phi, theta and psi about x, y and z. Otherwise those behind a time.
@@ -480,8 +489,7 @@ private:
         if (of_axes.size() == 3) {
             found.push_back(of_axes);
         }
-        const bool is_behind_time = rows_[row].fields.size() == size + 1 && row + 1 < rows_.size() &&
-                                    is_less(rows_[row].fields[0], rows_[row + 1].fields[0]);
+        const bool is_behind_time = rows_[row].fields.size() == size + 1 && begins_with_time(row);
         return found.size() == 1 ? found[0] : found.empty() && is_behind_time ? places_from(1) : Places();
     }
     /// Offers rows that have more fields than their header: dates with blanks.
@@ -514,15 +522,24 @@ private:
                           : joined(columns);
     }
 
-    /// Offers a command that makes the text, and those that change characters in it; without a command only the latter.
+    /// Offers a command that makes the text, and those that change characters in it, also with the only numbers of its
+    /// first row; without a command only the latter.
     void offer_text(const std::string& pipe, const std::string& text) {
+        const auto offer_made = [this](const std::string& command, const std::string& made, const std::string& others) {
+            offer({}, command, made, others);
+            std::string_view rest = made;
+            const std::string columns = rest.empty() ? "" : numbers_among(Row(stream::next_line(rest), input_).fields);
+            if (!columns.empty()) {
+                offer({setting("--columns", columns)}, command, made, others);
+            }
+        };
         if (!pipe.empty()) {
-            offer({}, pipe, text);
+            offer_made(pipe, text, "");
         }
         for (const Filter& filter : filters) {
             const std::string command(filter.command);
-            if (const std::string made = filter.of(text); made != text) {
-                offer({}, pipe.empty() ? command : pipe, made, pipe.empty() ? "" : " | " + command);
+            if (const std::string made = filter.of(text); made != text && made != text + "\n") {
+                offer_made(pipe.empty() ? command : pipe, made, pipe.empty() ? "" : " | " + command);
                 mends_.back()[0].keeps_lines = pipe.empty();
             }
         }

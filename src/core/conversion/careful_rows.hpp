@@ -40,11 +40,14 @@ ROTCONV_INLINE void multiply_from_side(const ExactQuaternion& by, bool from_the_
 }
 /// By what there may be.
 template <class T> ROTCONV_INLINE void multiply_by(const FixedRotations& by, T (&q)[4]) noexcept {
-    if (by.left.count > 0) {
+    if (by.left.count > 0 && !by.right_first) {
         multiply_from_side(by.left.rotation, true, q);
     }
     if (by.right.count > 0) {
         multiply_from_side(by.right.rotation, false, q);
+    }
+    if (by.left.count > 0 && by.right_first) {
+        multiply_from_side(by.left.rotation, true, q);
     }
 }
 /// R_REF' R.

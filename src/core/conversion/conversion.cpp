@@ -140,13 +140,56 @@ RowReport report_of_pair(const InputBatch& first, const InputBatch& second, std:
     return report;
 }
 
+namespace {
+
+/// Reports the rows of a batch of which there is something to tell.
+/// @param second of a product, null where its attitudes are between two
+void report_task(const Task& task, const ConversionSettings& settings, std::size_t begin, std::size_t rows,
+                 double* written, const InputBatch& first, const InputBatch* second,
+                 const AttitudeBatch<double>& attitudes, const std::array<DiagnosticSet, batch_rows>& diagnostics,
+                 std::vector<RowReport>& reports) {
+    const bool turns_vectors = task.to == nullptr;
+    const std::size_t size = task.out_size();
+    const auto overflows = [&](std::size_t i) { return turns_vectors && !all_finite(written + i * size, size); };
+    DiagnosticSet all;
+    std::for_each_n(diagnostics.begin(), rows, [&all](DiagnosticSet each) { all |= each; });
+    if (all.empty() && !turns_vectors && !first.any_remarkable(rows, settings) &&
+        (second == nullptr || !second->any_remarkable(rows, settings))) {
+        return; // as most batches
+    }
+    report_rows(
+        begin, rows, written, size, settings.sensitivity, reports,
+        [&](std::size_t i) {
+            return !diagnostics[i].empty() || first.is_remarkable(i, settings) || overflows(i) ||
+                   (second != nullptr && second->is_remarkable(i, settings));
+        },
+        [&](std::size_t i) {
+            RowReport found =
+                second != nullptr ? report_of_pair(first, *second, i, settings) : first.report(i, settings);
+            found.error = found.error == Error::none && overflows(i) ? Error::overflow : found.error;
+            return found;
+        },
+        [&](std::size_t i, RowReport& found) {
+            if (settings.sensitivity || !diagnostics[i].empty()) { // a row that is only normalized needs none
+                const Spec& spec = turns_vectors ? *task.first : *task.to;
+                const Rotation attitude = attitudes.at(i);
+                found.sensitivity = codec_of(spec.name).sensitivity(
+                    spec, turns_vectors && spec.passive ? attitude.inverse() : attitude);
+            }
+            found.diagnostics |= diagnostics[i];
+        });
+}
+
+} // namespace
+
 void run_task(Task task, const ConversionSettings& settings, bool interpolates, std::span<const double> in,
               std::span<double> out, std::vector<RowReport>& reports, std::span<double> rest) {
     reports.clear();
     const bool turns_vectors = task.to == nullptr;
     const bool is_product = task.second != nullptr;
     const bool is_fast = settings.fast && !turns_vectors && !is_product && task.rest_size == 1;
-    const FixedRotations fixed = turns_vectors ? no_rotations : fixed_rotations(settings.left, settings.right);
+    FixedRotations fixed = turns_vectors ? no_rotations : fixed_rotations(settings.left, settings.right);
+    fixed.right_first = task.inverts(); // as S' R' L' is worked out, to the last bit of a double
     task.lock_margin = settings.lock_margin;
     task.fixed = &fixed;
     const std::size_t to_second = task.first->size();
@@ -163,8 +206,9 @@ void run_task(Task task, const ConversionSettings& settings, bool interpolates, 
         std::unique_ptr<InputBatch> second; // large, and seldom there: optional ones would be cleared
         std::unique_ptr<InputBatch> later;
         std::vector<double> others;
-        const auto take_others = [&](std::size_t at, std::size_t count) {
-            for (const double* row = numbers + at; row < numbers + rows * width; row += width) {
+        const auto take_others = [&](std::size_t at, std::size_t count) { // the vectors, or the fractions
+            for (std::size_t i = 0; i < rows; ++i) {
+                const double* const row = numbers + i * width + at;
                 others.insert(others.end(), row, row + count);
             }
             return others.data();
@@ -193,35 +237,8 @@ void run_task(Task task, const ConversionSettings& settings, bool interpolates, 
             run(task, own, rows, attitudes, written, rest.empty() ? nullptr : &rest[begin * size * task.rest_size],
                 diagnostics.data());
         }
-        const bool reports_second = is_product && !interpolates;
-        const auto overflows = [&](std::size_t i) { return turns_vectors && !all_finite(written + i * size, size); };
-        DiagnosticSet all;
-        std::for_each_n(diagnostics.begin(), rows, [&all](DiagnosticSet each) { all |= each; });
-        if (all.empty() && !turns_vectors && !first.any_remarkable(rows, settings) &&
-            !(reports_second && second->any_remarkable(rows, settings))) {
-            return; // as most batches
-        }
-        report_rows(
-            begin, rows, written, size, settings.sensitivity, reports,
-            [&](std::size_t i) {
-                return !diagnostics[i].empty() || first.is_remarkable(i, settings) || overflows(i) ||
-                       (reports_second && second->is_remarkable(i, settings));
-            },
-            [&](std::size_t i) {
-                RowReport found =
-                    reports_second ? report_of_pair(first, *second, i, settings) : first.report(i, settings);
-                found.error = found.error == Error::none && overflows(i) ? Error::overflow : found.error;
-                return found;
-            },
-            [&](std::size_t i, RowReport& found) {
-                if (settings.sensitivity || !diagnostics[i].empty()) { // a row that is only normalized needs none
-                    const Spec& spec = turns_vectors ? *task.first : *task.to;
-                    const Rotation attitude = attitudes.written.at(i);
-                    found.sensitivity = codec_of(spec.name).sensitivity(
-                        spec, turns_vectors && spec.passive ? attitude.inverse() : attitude);
-                }
-                found.diagnostics |= diagnostics[i];
-            });
+        report_task(task, settings, begin, rows, written, first, interpolates ? nullptr : second.get(),
+                    attitudes.written, diagnostics, reports);
     };
     for_each_batch(in, width, out, size, run_batch);
 }

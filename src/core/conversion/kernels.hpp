@@ -36,6 +36,7 @@ struct FixedSide {
 /// The one on the left of an attitude and the one on the right.
 struct FixedRotations {
     FixedSide left, right;
+    bool right_first = false; ///< the order in which they are multiplied
 };
 inline constexpr FixedRotations no_rotations{};
 
