@@ -91,9 +91,9 @@ std::string completions(std::span<const std::string> before, std::string word) {
     } else if (awaited->argument == "FILE") {
         kind = "files";
     } else if (is_spec && word.find(':') != std::string::npos) {
-        const std::string spec = word;
+        const auto following = words_behind_colon(word);
         split_behind(word.rfind(':'));
-        add(words_behind_colon(spec));
+        add(following);
     } else if (is_spec || awaited->argument == "NAME" || awaited->argument == "SET") {
         add(messages::all_names());
     }

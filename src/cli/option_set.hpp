@@ -97,8 +97,27 @@ struct Option {
     [[nodiscard]] const std::string& text() const noexcept;
 };
 
+/// What is given beside options, and what is wrong with those.
+struct Operands {
+    std::vector<std::string> values{};
+    std::vector<std::string> files{};
+    std::vector<WordEnd> file_words{};  ///< of FILEs
+    std::vector<WordEnd> value_words{}; ///< of VALUEs
+    std::string first_option{};
+    std::string unknown{}; ///< the first option that the command does not have
+    WordEnd unknown_place{};
+    std::string misuse{};             ///< what is wrong with an option, in words
+    std::vector<std::string> words{}; ///< all
+    std::size_t begin = 0;            ///< the first word behind the name of the command
+
+    /// Empty for the conversion.
+    [[nodiscard]] std::string_view command_name() const {
+        return begin > 0 ? std::string_view(words[begin - 1]) : std::string_view();
+    }
+};
+
 /// The options of a command, in the order of its help, and what is given beside them.
-class OptionSet {
+class OptionSet : public Operands {
 public:
     OptionSet() = default;
     OptionSet(const OptionSet&) = delete;
@@ -158,23 +177,6 @@ public:
     /// @throw Usage where an option lacks its argument
     [[nodiscard]] std::size_t read(const std::vector<std::string>& all_words, std::size_t first,
                                    const std::function<bool(std::string_view)>& is_command);
-
-    // What is given beside options, and what is wrong with those.
-    std::vector<std::string> values{};
-    std::vector<std::string> files{};
-    std::vector<WordEnd> file_words{};  ///< of FILEs
-    std::vector<WordEnd> value_words{}; ///< of VALUEs
-    std::string first_option{};
-    std::string unknown{}; ///< the first option that the command does not have
-    WordEnd unknown_place{};
-    std::string misuse{};             ///< what is wrong with an option, in words
-    std::vector<std::string> words{}; ///< all
-    std::size_t begin = 0;            ///< the first word behind the name of the command
-
-    /// Empty for the conversion.
-    [[nodiscard]] std::string_view command_name() const {
-        return begin > 0 ? std::string_view(words[begin - 1]) : std::string_view();
-    }
 
 private:
     std::vector<Option*> options_;

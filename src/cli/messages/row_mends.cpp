@@ -362,7 +362,7 @@ private:
     /// Of a header as wide as the row, at most a line of units above it.
     [[nodiscard]] std::vector<std::string> names_above(std::size_t row) const {
         for (std::size_t i = row; i-- > 0 && i + 3 > row;) {
-            const auto names = rows_[i].is_row ? rows_[i].names() : rows_[i].without_mark().names();
+            auto names = rows_[i].is_row ? rows_[i].names() : rows_[i].without_mark().names();
             if (!rows_[i].has_numbers && names.size() == rows_[row].fields.size() &&
                 !std::ranges::all_of(names, is_unit)) {
                 return names;

@@ -29,13 +29,14 @@ struct ExactQuaternion {
 /// A constant rotation by which attitudes are multiplied, and the rows of numbers from which it is read again, whose
 /// product it is; without any there is none.
 struct FixedSide {
-    ExactQuaternion rotation;
-    const FixedFactor* factors;
-    std::size_t count;
+    ExactQuaternion rotation{};
+    const FixedFactor* factors = nullptr;
+    std::size_t count = 0;
 };
 /// The one on the left of an attitude and the one on the right.
 struct FixedRotations {
-    FixedSide left, right;
+    FixedSide left{};
+    FixedSide right{};
     bool right_first = false; ///< the order in which they are multiplied
 };
 inline constexpr FixedRotations no_rotations{};
@@ -68,7 +69,7 @@ struct Task {
 
 /// The numbers of a row, or of the first of a batch.
 struct TaskNumbers {
-    const double* first;
+    const double* first = nullptr;
     const double* second = nullptr;    ///< null where there is neither a second attitude nor a vector
     const double* later = nullptr;     ///< the second attitude is between two, and this is the other; or null
     const double* fractions = nullptr; ///< six numbers: where it is between them, see interpolate() of careful_rows.hpp
