@@ -210,7 +210,7 @@ inline void read_carefully(const Task& task, const TaskNumbers& row, Careful (&q
     if (task.second != nullptr) {
         Careful other[4];
         read_carefully(*task.second, row.second, no_rotations, other);
-        if (row.later != nullptr) {
+        if (row.later != nullptr && row.fractions != nullptr) {
             Careful later[4];
             read_carefully(*task.second, row.later, no_rotations, later);
             interpolate(row.fractions, later, other);

@@ -70,7 +70,7 @@ void read_upright(const Spec& spec, const FixedRotations& fixed, const double* n
 void read_second(const Task& task, const TaskNumbers& numbers, std::size_t rows,
                  AttitudeBatch<DoubleDouble>& attitudes) noexcept {
     read_upright(*task.second, no_rotations, numbers.second, rows, attitudes);
-    if (numbers.later == nullptr) {
+    if (numbers.later == nullptr || numbers.fractions == nullptr) {
         return;
     }
     AttitudeBatch<DoubleDouble> later;
@@ -104,8 +104,10 @@ void read_product(const Task& task, const TaskNumbers& numbers, std::size_t rows
         product.off[i] = off_of_product(first.off[i], second.off[i]);
         product.error[i] = first.error[i] != Error::none ? first.error[i] : second.error[i];
     }
-    round(first, rows, *rounded.first);
-    round(second, rows, *rounded.second);
+    if (rounded.first != nullptr && rounded.second != nullptr) { // as of all products
+        round(first, rows, *rounded.first);
+        round(second, rows, *rounded.second);
+    }
 }
 
 /// The attitudes that are written.
@@ -117,7 +119,7 @@ template <class T> void read_written(const Task& task, const TaskNumbers& number
         task.second == nullptr ? read_plainly(*task.first, *task.fixed, numbers.first, rows, attitudes)
                                : read_product(task, numbers, rows, rounded, attitudes);
     }
-    for (std::size_t i = 0; i < rows && task.to == nullptr; ++i) {
+    for (std::size_t i = 0; i < rows && task.to == nullptr && numbers.second != nullptr; ++i) {
         const bool fails = attitudes.error[i] == Error::none && !all_finite(numbers.second + 3 * i, 3);
         attitudes.error[i] = fails ? Error::not_finite : attitudes.error[i];
     }
@@ -200,7 +202,7 @@ template <class T> void run(const Task& task, const TaskNumbers& numbers, std::s
     if (task.second != nullptr) {
         for_each_careful_row(*task.second, numbers.second, attitudes, rows, set_careful);
     }
-    if (numbers.later != nullptr) {
+    if (task.second != nullptr && numbers.later != nullptr) {
         for_each_careful_row(*task.second, numbers.later, attitudes, rows, set_careful);
     }
     if (task.to != nullptr) {
