@@ -147,14 +147,9 @@ Command chosen(const CommandOptions& given, Command command) {
             {stream::Note::Kind::chosen,
              fmt::format("{0} {1} has several SPECs, of which one fits: {0} {2}{3}", "--from",
                          given.find("--from")->text(), rows->line->find("--from")->text(), selected)});
-        const Option* const to = given.given("--to");
-        const std::string change =
-            to == nullptr ? "" : joined(axes_of_specs(given.find("--from")->text(), to->text()), " ");
         const auto is_on_axes = [](const stream::Note& note) { return note.kind == stream::Note::Kind::axes; };
-        const auto is_given = [&given](const char* name) { return given.given(name) != nullptr; };
-        if (!change.empty() && std::ranges::none_of(rows->notes, is_on_axes) &&
-            std::ranges::none_of(std::array{"--reference-axes", "--body-axes", "--left", "--right"}, is_given)) {
-            rows->notes.push_back(note_on_axes(" " + change)); // the SPEC that fits does not name the project
+        if (const auto note = note_on_axes(given); note && std::ranges::none_of(rows->notes, is_on_axes)) {
+            rows->notes.push_back(*note); // the SPEC that fits does not name the project
         }
     }
     return command;

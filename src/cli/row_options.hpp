@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -152,7 +153,7 @@ void read_names(const RowOptions& options, const Option& time_option, bool names
 
 /// The same for options that are "SPEC: NUMBERS".
 [[nodiscard]] std::vector<stream::Note> notes_on_options(const RowOptions& options);
-/// That --from and --to have different axes. @param change the options that take one to the other
-[[nodiscard]] stream::Note note_on_axes(std::string_view change);
+/// That --from and --to, as they are given, have different axes; nothing where an option changes axes.
+[[nodiscard]] std::optional<stream::Note> note_on_axes(const OptionSet& options);
 
 } // namespace rotconv::cli

@@ -3,6 +3,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <variant>
@@ -10,6 +11,7 @@
 #include "../../core/projects.hpp"
 #include "../grammar/column_names.hpp"
 #include "../row_options.hpp"
+#include "answers.hpp"
 
 namespace rotconv::cli {
 namespace {
@@ -197,20 +199,6 @@ std::string first_change(std::string_view option,
     return "";
 }
 
-/// See change_of_axes(); nothing where an option changes axes.
-std::string axes_options(const RowOptions& options) {
-    if (options.reference_axes.given() || options.body_axes.given() || options.left.given() || options.right.given()) {
-        return "";
-    }
-    const auto project_of = [](const Option& option) {
-        const auto spec = messages::spec_of(split(option.text(), ',').front()); // all SPECs after -t have the same axes
-        return spec ? spec->project : nullptr;
-    };
-    const Project* const from = project_of(options.from);
-    const Project* const to = project_of(options.to);
-    return from == nullptr || to == nullptr ? "" : change_of_axes(*from, *to);
-}
-
 } // namespace
 
 std::string change_of_axes(const Project& from, const Project& to) {
@@ -240,14 +228,25 @@ void read_names(const RowOptions& options, const Option& time_option, bool names
     input.notes_of = [notes](const stream::HeaderFacts& said) { return notes->on(said); };
 }
 
-stream::Note note_on_axes(std::string_view change) {
-    return {Kind::axes, fmt::format("--from and --to have different axes, which no SPEC changes:{}", change)};
+std::optional<stream::Note> note_on_axes(const OptionSet& options) {
+    const auto is_given = [&options](const char* name) { return options.given(name) != nullptr; };
+    if (!is_given("--from") || !is_given("--to") ||
+        std::ranges::any_of(std::array{"--reference-axes", "--body-axes", "--left", "--right"}, is_given)) {
+        return std::nullopt;
+    }
+    const auto change = axes_of_specs(options.find("--from")->text(), options.find("--to")->text());
+    return change.empty() ? std::nullopt
+                          : std::optional(stream::Note{Kind::axes,
+                                                       "--from and --to have different axes, which no SPEC changes: " +
+                                                           joined(change, " "),
+                                                       {},
+                                                       {}});
 }
 
 std::vector<stream::Note> notes_on_options(const RowOptions& options) {
     std::vector<stream::Note> notes;
-    if (const std::string change = axes_options(options); !change.empty()) {
-        notes.push_back(note_on_axes(change));
+    if (const auto note = note_on_axes(options)) {
+        notes.push_back(*note);
     }
     for (const Option* option : {&options.left, &options.right, &options.initial}) {
         if (option->given()) {

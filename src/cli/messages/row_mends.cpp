@@ -32,6 +32,8 @@ struct Row : stream::HeaderLine {
         : HeaderLine(line_, input.delimiter.value_or(stream::Delimiter::of_row(line_.text))),
           is_row(input.is_row(line_.text)),
           has_numbers(is_row && 2 * std::ranges::count_if(fields, stream::is_number) > std::ranges::ssize(fields)) {}
+    /// As of a header, which may stand behind the mark of a comment.
+    [[nodiscard]] std::vector<std::string> header_names() const { return is_row ? names() : without_mark().names(); }
     bool is_row;      ///< neither blank nor a comment
     bool has_numbers; ///< it is a row, and more than half of its fields are numbers
 };
@@ -134,7 +136,7 @@ struct Header {
 /// @param sought a Spec or a Part
 std::optional<Header> header_among(std::span<const Row> rows, const auto& sought) {
     for (std::size_t i = rows.size(); i-- > 0;) {
-        const auto names = rows[i].is_row ? rows[i].names() : rows[i].without_mark().names();
+        const auto names = rows[i].header_names();
         if (const auto known = find_names(sought, names)) {
             return Header{names, *known};
         }
@@ -271,7 +273,7 @@ private:
                                                       : std::vector<std::string_view>();
         for (auto row = first; row != rows_.begin() && first != rows_.end() && !items.empty();) {
             --row;
-            const auto names = row->is_row ? row->names() : row->without_mark().names();
+            const auto names = row->header_names();
             const auto own = mapped(names, [](const std::string& each) { return name_and_unit(each).first; });
             std::vector<std::size_t> places;
             for (const std::string_view item : items) {
@@ -362,7 +364,7 @@ private:
     /// Of a header as wide as the row, at most a line of units above it.
     [[nodiscard]] std::vector<std::string> names_above(std::size_t row) const {
         for (std::size_t i = row; i-- > 0 && i + 3 > row;) {
-            auto names = rows_[i].is_row ? rows_[i].names() : rows_[i].without_mark().names();
+            auto names = rows_[i].header_names();
             if (!rows_[i].has_numbers && names.size() == rows_[row].fields.size() &&
                 !std::ranges::all_of(names, is_unit)) {
                 return names;
